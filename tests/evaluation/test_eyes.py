@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from memorymaze.errors import DetectorError, SettingsError
-from memorymaze.evaluation.arena import Arena
-from memorymaze.evaluation.eyes import looks_of_run
+from memorymaze.evaluation.arena import Arena, looks_of_run
 from memorymaze.evaluation.in_words import sense_notes
 from memorymaze.evaluation.navigation import navigate
 from memorymaze.evaluation.plan import plan_run

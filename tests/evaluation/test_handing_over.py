@@ -17,7 +17,7 @@ from memorymaze.evaluation.agent_catalogue import choose_agent
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.budgets import fair_limits
 from memorymaze.evaluation.episode import EpisodeRun, run_episode
-from memorymaze.evaluation.handing_over import graph_of
+from memorymaze.evaluation.guarded_robot import graph_of
 from memorymaze.evaluation.plan import RunPlan, plan_run
 from memorymaze.evaluation.settings import AgentSettings, RunDefinition
 from memorymaze.evaluation.trace_entries import NoteEntry

@@ -19,7 +19,7 @@ from memorymaze.agents.navid import NavidAgent, NavidOptions
 from memorymaze.agents.navid.motions import Motions
 from memorymaze.errors import EpisodeOver, SettingsError
 from memorymaze.evaluation.agent_catalogue import choose_agent
-from memorymaze.evaluation.budgets import fair_limits, stepping_time_budget
+from memorymaze.evaluation.budgets import fair_limits, time_budget_for
 from memorymaze.evaluation.navigation import navigate
 from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.geometry.pose import turn_between
@@ -74,7 +74,7 @@ def blind_robot() -> Callable[[Site, Route], SimulatedRobot]:
     def put(site: Site, route: Route) -> SimulatedRobot:
         settings = SimulationSettings()
         settings = SimulationSettings(
-            time_budget=stepping_time_budget(site.routes, settings)
+            time_budget=time_budget_for(frozenset({"steps"}), site.routes, settings)
         )
         robot = SimulatedRobot(
             build_scene(site), route.start, settings, np.random.default_rng(0)

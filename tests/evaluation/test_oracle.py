@@ -2,7 +2,7 @@ from collections.abc import Callable
 
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.episode import run_episode
-from memorymaze.evaluation.oracle import OracleAgent
+from memorymaze.evaluation.guarded_robot import OracleAgent
 from memorymaze.evaluation.plan import RunPlan
 
 

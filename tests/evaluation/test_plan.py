@@ -4,7 +4,7 @@ from pathlib import Path
 import pytest
 
 from memorymaze.errors import MemoryMazeError, SettingsError
-from memorymaze.evaluation.budgets import default_time_budget
+from memorymaze.evaluation.budgets import time_budget_for
 from memorymaze.evaluation.plan import RunPlan, plan_run
 from memorymaze.evaluation.settings import AgentSettings, RunSettings
 from memorymaze.instructions import load_corpus
@@ -27,7 +27,7 @@ def test_the_time_budget_is_that_of_these_sites_unless_it_is_given(
 ) -> None:
     plan = tiny_plan("stop")
     routes = [route for site in plan.sites.values() for route in site.routes]
-    budget = default_time_budget(routes, SimulationSettings())
+    budget = time_budget_for(frozenset(), routes, SimulationSettings())
     assert plan.settings.simulation.time_budget == budget
     assert tiny_plan("stop", time_budget=7.5).settings.simulation.time_budget == 7.5
 

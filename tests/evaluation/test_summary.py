@@ -5,7 +5,7 @@ import pytest
 from memorymaze.evaluation.in_words import result_lines
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.settings import RunDefinition
-from memorymaze.evaluation.summary import CollisionRates, collision_rates, summarise
+from memorymaze.evaluation.summary import collision_rates, summarise
 
 Make = Callable[..., EpisodeResult]
 
@@ -61,13 +61,11 @@ def test_rates_are_sums_over_sums_per_hundred_metres(result: Make) -> None:
         result("a", path_length=50.0, collisions=2, person_collisions=1, waiting_s=3.0),
         result("b", path_length=150.0, near_misses=5, waiting_s=0.0),
     ]
-    assert collision_rates(results) == CollisionRates(1.0, 0.5, 2.5, 1.5)
+    assert [*collision_rates(results).values()] == [1.0, 0.5, 2.5, 1.5]
 
 
 def test_who_does_not_drive_hits_nothing(result: Make) -> None:
-    assert collision_rates([result(path_length=0.0)]) == CollisionRates(
-        0.0, 0.0, 0.0, 0.0
-    )
+    assert set(collision_rates([result(path_length=0.0)]).values()) == {0.0}
 
 
 def test_there_are_no_rates_of_no_results() -> None:

@@ -3,7 +3,7 @@ from itertools import pairwise
 
 import pytest
 
-from memorymaze.evaluation.measures import route_turns_in_order, site_turns_taken
+from memorymaze.evaluation.results import route_turns_in_order, site_turns_taken
 from memorymaze.geometry.trajectory import TimedPose, Trajectory
 from memorymaze.metrics.turns import TurnAtPlace
 from memorymaze.sites import Site

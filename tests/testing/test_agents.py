@@ -16,7 +16,7 @@ from memorymaze.agents.rules import RulesAgent
 from memorymaze.agents.see_and_go import SeeAndGoAgent, SeeAndGoOptions
 from memorymaze.agents.stop import StopAgent
 from memorymaze.errors import EpisodeOver
-from memorymaze.evaluation.oracle import OracleAgent
+from memorymaze.evaluation.guarded_robot import OracleAgent
 from memorymaze.geometry.pose import Pose
 from memorymaze.language.model import CompletionRequest
 from memorymaze.language.scripted_model import ScriptedLanguageModel

@@ -64,7 +64,7 @@ AGENTS = {
         "short motion after another",
     ),
     "oracle": ShippedAgent(
-        "memorymaze.evaluation.oracle:OracleAgent",
+        "memorymaze.evaluation.guarded_robot:OracleAgent",
         "follows the reference path: what the robot's body can reach",
     ),
     "rules": ShippedAgent(

@@ -16,15 +16,13 @@ from memorymaze.errors import (
     LanguageModelError,
     ProgramError,
 )
-from memorymaze.evaluation.arena import Arena
+from memorymaze.evaluation.arena import arenas_of
 from memorymaze.evaluation.episode import run_episode
-from memorymaze.evaluation.people_to_ask import model_of_people
 from memorymaze.evaluation.plan import RunPlan
 from memorymaze.instructions.records import Episode
 from memorymaze.language.answers import UnansweredError
 from memorymaze.language.building import replaying_model
 from memorymaze.language.model import CompletionRequest
-from memorymaze.perception.eyes import Eyes
 from memorymaze.robot.specification import ASKING_NAMES
 from memorymaze.robot.steps import SteppingRobot
 
@@ -38,12 +36,7 @@ def open_requests(plan: RunPlan) -> Iterator[CompletionRequest]:
     Agents that ask all they ask before the robot moves are not put into a simulation.
     """
     settings = plan.settings
-    eyes = Eyes(settings.detector, settings.signs)
-    people = model_of_people(settings, settings.agent)
-    arenas = {
-        name: Arena(site, settings.obstacles, eyes, settings.looks, people)
-        for name, site in plan.sites.items()
-    }
+    arenas = arenas_of(settings, plan.sites)
     for episode in plan.episodes:
         agent = _Inquirer(plan.ready.in_episode(episode), episode)
         if agent.asks_beforehand:

@@ -1,19 +1,23 @@
 """A site made ready for episodes: its scene, its grid, and what scoring needs."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import cached_property, partial
 
 import numpy as np
 
-from memorymaze.evaluation.measures import FinishedWalk
+from memorymaze.agents.agent import Need
+from memorymaze.evaluation.results import FinishedWalk
 from memorymaze.evaluation.seeds import obstacle_generator
+from memorymaze.evaluation.settings import AgentSettings, RunDefinition, RunSettings
 from memorymaze.geometry.grid import FloorGrid
 from memorymaze.geometry.trajectory import Trajectory
 from memorymaze.instructions.records import Episode
+from memorymaze.language.building import build_language_model
 from memorymaze.language.model import LanguageModel
 from memorymaze.passers_by import FloorKnowledge
 from memorymaze.perception.eyes import Eyes
 from memorymaze.pictures import Looks, robot_cameras
+from memorymaze.pictures.furniture.models import check_looks
 from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.simulation.scene import Scene, build_scene
@@ -106,3 +110,49 @@ class Arena:
         return FinishedWalk(
             self.site, self.grid, episode, trajectory, stopped_by, success_distance
         )
+
+
+def arenas_of(settings: RunDefinition, sites: Mapping[str, Site]) -> dict[str, Arena]:
+    """Return the arenas of a run, where this machine has what they need."""
+    eyes = checked_eyes(settings)
+    people = model_of_people(settings, settings.agent)
+    return {
+        name: Arena(site, settings.obstacles, eyes, settings.looks, people)
+        for name, site in sites.items()
+    }
+
+
+def checked_eyes(settings: RunSettings) -> Eyes:
+    """Return eyes that can be used here."""
+    eyes = Eyes(settings.detector, settings.signs)
+    if eyes.need_pictures:
+        # Only these runs load OpenGL.
+        from memorymaze.pictures.rendering.open_gl import choose_backend
+
+        choose_backend()
+    eyes.check()
+    return eyes
+
+
+def looks_of_run(
+    agent: AgentSettings, needs: frozenset[Need], settings: RunSettings
+) -> Looks | None:
+    """Return how things look to the cameras of a run; None where nothing is drawn."""
+    # An agent of a user's own that declares nothing may take pictures all the same.
+    may_look = "camera" in needs or (agent.is_own and not needs)
+    if not (may_look or Eyes(settings.detector, settings.signs).need_pictures):
+        return None
+    return check_looks(settings.looks)
+
+
+def model_of_people(
+    settings: RunSettings, agent: AgentSettings
+) -> LanguageModel | None:
+    """Return the model that plays people; None where they answer otherwise.
+
+    Raises:
+        SettingsError: No model is named, or it cannot be used.
+    """
+    if settings.passers_by != "model":
+        return None
+    return build_language_model(agent.language_model)

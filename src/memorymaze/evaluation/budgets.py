@@ -6,7 +6,7 @@ more time.
 """
 
 import math
-from collections.abc import Iterable
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -63,17 +63,6 @@ def perfect_time(route: Route, settings: SimulationSettings) -> float:
     return float(driving.sum() + turning[turns > 0].sum())
 
 
-def default_time_budget(routes: Iterable[Route], settings: SimulationSettings) -> float:
-    """Return three times the perfect time of the slowest route, in whole seconds.
-
-    The routes are those of all sites of a run, alternatives too.
-    """
-    times = [perfect_time(route, settings) for route in routes]
-    if not times:
-        raise SettingsError("the sites of this run have no routes to set a budget by")
-    return float(math.ceil(GENEROSITY * max(times)))
-
-
 def perfect_steps(
     route: Route, step_m: float = STEP_M, turn_deg: float = TURN_DEG
 ) -> int:
@@ -92,7 +81,7 @@ def perfect_steps(
 
 
 def fair_steps(
-    routes: Iterable[Route], step_m: float = STEP_M, turn_deg: float = TURN_DEG
+    routes: Sequence[Route], step_m: float = STEP_M, turn_deg: float = TURN_DEG
 ) -> int:
     """Return three times the perfect steps of the longest route.
 
@@ -105,45 +94,33 @@ def fair_steps(
     return math.ceil(GENEROSITY * max(steps))
 
 
-def fair_requests(routes: Iterable[Route]) -> int:
-    """Return two requests for each viewpoint of the longest route, at least ten.
+def fair_limits(routes: Sequence[Route]) -> FairLimits:
+    """Return what the budget `fair` allows on the site of these routes, alternatives too.
 
-    All routes of a site count, as for `fair_steps`; a viewpoint stands for 2.25 m.
+    Two requests for each viewpoint of the longest route, at least ten, and `fair_steps`; a
+    viewpoint stands for 2.25 m.
     """
-    lengths = [route.length for route in routes]
-    if not lengths:
-        raise SettingsError("the site has no routes to set a budget of requests by")
-    viewpoints = math.ceil(max(lengths) / VIEWPOINT_M) + 1
-    return max(FEWEST_REQUESTS, REQUESTS_PER_VIEWPOINT * viewpoints)
-
-
-def fair_limits(routes: Iterable[Route]) -> FairLimits:
-    """Return what the budget `fair` allows on the site of these routes."""
-    routes = list(routes)
     steps = {degrees: fair_steps(routes, turn_deg=degrees) for degrees in (15, 30)}
-    return FairLimits(fair_requests(routes), steps)
-
-
-def stepping_time_budget(
-    routes: Iterable[Route], settings: SimulationSettings
-) -> float:
-    """Return the time for `fair_steps`, in whole seconds, and no less than for others.
-
-    The routes are those of all sites of a run, alternatives too.
-    """
-    routes = list(routes)
-    usual = default_time_budget(routes, settings)
-    # The smaller turns that can be asked for need the most time.
-    return max(usual, math.ceil(STEP_SECONDS * fair_steps(routes, turn_deg=15)))
+    viewpoints = math.ceil(max(each.length for each in routes) / VIEWPOINT_M) + 1
+    return FairLimits(max(FEWEST_REQUESTS, REQUESTS_PER_VIEWPOINT * viewpoints), steps)
 
 
 def time_budget_for(
-    needs: frozenset[Need], routes: Iterable[Route], settings: SimulationSettings
+    needs: frozenset[Need], routes: Sequence[Route], settings: SimulationSettings
 ) -> float:
-    """Return the time budget of an agent that needs these when nobody says otherwise."""
-    if "steps" in needs:
-        return stepping_time_budget(routes, settings)
-    return default_time_budget(routes, settings)
+    """Return the time budget of an agent that needs these when nobody says otherwise.
+
+    Three times the perfect time of the slowest route of a run's sites, alternatives too,
+    in whole seconds; for agents that go by steps the time for `fair_steps`, and no less.
+    """
+    if not routes:
+        raise SettingsError("the sites of this run have no routes to set a budget by")
+    slowest = max(perfect_time(route, settings) for route in routes)
+    usual = float(math.ceil(GENEROSITY * slowest))
+    if "steps" not in needs:
+        return usual
+    # The smaller turns that can be asked for need the most time.
+    return max(usual, math.ceil(STEP_SECONDS * fair_steps(routes, turn_deg=15)))
 
 
 def episode_time_budget(settings: RunDefinition, route: Route) -> float:
@@ -154,12 +131,3 @@ def episode_time_budget(settings: RunDefinition, route: Route) -> float:
     if not settings.scales_budget:
         return settings.simulation.time_budget
     return time_budget_for(frozenset(settings.needs), [route], settings.simulation)
-
-
-def fewest_answers(route: Route, stride: tuple[float, float]) -> int:
-    """Return how often a model must be asked on a walk without a mistake.
-
-    Each answer moves the robot by a stride at most, so many metres ahead or degrees of a
-    turn; the last one says stop.
-    """
-    return perfect_steps(route, *stride) + 1

@@ -21,7 +21,7 @@ from memorymaze.errors import (
 )
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.budgets import episode_time_budget, fair_limits
-from memorymaze.evaluation.handing_over import hand_over
+from memorymaze.evaluation.guarded_robot import hand_over
 from memorymaze.evaluation.people_to_ask import people_of_episode
 from memorymaze.evaluation.results import EpisodeResult, StoppedBy, measure_walk
 from memorymaze.evaluation.seeds import seeds_of

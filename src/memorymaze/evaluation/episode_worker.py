@@ -11,10 +11,8 @@ from memorymaze.agents.agent import Journal
 from memorymaze.agents.failures import WorkerLost, failure_line
 from memorymaze.errors import SpendingLimitReached
 from memorymaze.evaluation.agent_catalogue import chosen_again
-from memorymaze.evaluation.arena import Arena
+from memorymaze.evaluation.arena import arenas_of
 from memorymaze.evaluation.episode import run_episode
-from memorymaze.evaluation.eyes import checked_eyes
-from memorymaze.evaluation.people_to_ask import model_of_people
 from memorymaze.evaluation.plan import RunPlan
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.settings import RunDefinition
@@ -87,14 +85,8 @@ class EpisodeWorker:
             isolate=self.settings.isolate,
             kept_from=[site.source for site in self.sites.values()],
         )
-        obstacles, looks = self.settings.obstacles, self.settings.looks
-        # On another machine than the plan's they may be missing.
-        eyes = checked_eyes(self.settings)
-        people = model_of_people(self.settings, self.settings.agent)
-        arenas = {
-            name: Arena(site, obstacles, eyes, looks, people)
-            for name, site in self.sites.items()
-        }
+        # Another machine than the plan's may lack what they need.
+        arenas = arenas_of(self.settings, self.sites)
 
         def run(task: EpisodeTask) -> EpisodeOutcome:
             episode = task.episode

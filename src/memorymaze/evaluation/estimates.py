@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from memorymaze.agents.agent import asking_of
-from memorymaze.evaluation.budgets import fair_limits, fewest_answers
+from memorymaze.evaluation.budgets import fair_limits, perfect_steps
 from memorymaze.evaluation.in_words import track_notes
 from memorymaze.evaluation.plan import RunPlan
 from memorymaze.language.model import CompletionRequest
@@ -86,7 +86,9 @@ def answers_estimate(plan: RunPlan) -> str | None:
         asking = asking_of(plan.ready.agent, told.text, fair_limits(site.routes))
         if asking.stride is None or asking.most is None:
             return None
-        perfect = fewest_answers(site.route(told.reference_route), asking.stride)
+        way = site.route(told.reference_route)
+        # The last answer says stop.
+        perfect = perfect_steps(way, *asking.stride) + 1
         # Where the budget does not suffice for the route, it ends the walk.
         fewest += min(perfect, asking.most)
         most += asking.most

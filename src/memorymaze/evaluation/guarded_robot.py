@@ -1,9 +1,14 @@
-"""The robot as agents get it: what it can do, and nothing behind it."""
+"""The robot as agents get it, by what they need: what it can do, and nothing behind it."""
 
 import math
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
+from functools import lru_cache
+from typing import Any, ClassVar
 
-from memorymaze.agents.agent import Need
+import numpy as np
+
+from memorymaze.agents.agent import Journal, Need
+from memorymaze.evaluation.budgets import VIEWPOINT_M
 from memorymaze.passers_by import Encounters
 from memorymaze.robot.api import (
     Detection,
@@ -15,7 +20,15 @@ from memorymaze.robot.api import (
 from memorymaze.robot.asking import Question
 from memorymaze.robot.specification import ASKING_CALLS
 from memorymaze.robot.steps import CameraPicture, LidarScan
+from memorymaze.robot.viewpoints import Panorama
 from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import Scene
+from memorymaze.simulation.viewpoint_walk import ViewpointWalk
+from memorymaze.sites.navigation_graph import (
+    NavigationGraph,
+    Viewpoint,
+    navigation_graph,
+)
 
 
 class GuardedRobot:
@@ -177,3 +190,65 @@ class RobotThatKnows(GuardedRobot):
     def follow_reference_path(self) -> None:
         """Drive along it."""
         self.__robot.follow(self.__reference_path)
+
+
+class OracleAgent:
+    """Follows the reference path of its episode and stops at the goal.
+
+    It shows what the robot's body can reach, whatever is understood of the text.
+    """
+
+    name = "oracle"
+    needs: ClassVar[frozenset[Need]] = frozenset({"answers"})
+
+    def follow(
+        self,
+        instruction: str,
+        robot: RobotThatKnows,
+        journal: Journal,
+        rng: np.random.Generator,
+    ) -> None:
+        """Drive along the reference path."""
+        robot.follow_reference_path()
+        robot.stop()
+
+
+DRIVING_ROOM = 0.3
+"""Metres that edges keep from walls: the robot's radius, and what steering needs."""
+
+
+def hand_over(
+    robot: SimulatedRobot,
+    needs: frozenset[Need],
+    reference_path: tuple[tuple[float, float], ...],
+    people: Encounters | None = None,
+    look: Callable[[Viewpoint], Panorama] | None = None,
+) -> Any:
+    """Return the robot of an episode as an agent gets it that needs these.
+
+    One that needs the graph gets a `ViewpointRobot`, which drives to its first viewpoint;
+    one that needs the answers a guarded robot that knows the way. Neither can ask people.
+
+    Args:
+        robot: The robot itself.
+        needs: What the agent declares.
+        reference_path: Of the episode, from its start.
+        people: Those one can ask; None where there are none.
+        look: Describes what is seen from viewpoints; None for templates.
+
+    Raises:
+        EpisodeOver: A budget ran out on the way to the first viewpoint.
+    """
+    if "graph" in needs:
+        return ViewpointWalk(robot, graph_of(robot.scene), look)
+    if "answers" in needs:
+        return RobotThatKnows(robot, needs, reference_path)
+    if people is None:
+        return GuardedRobot(robot, needs)
+    return AskingGuardedRobot(robot, needs, people)
+
+
+@lru_cache(maxsize=8)
+def graph_of(scene: Scene) -> NavigationGraph:
+    """Return the navigation graph that robots drive in a scene."""
+    return navigation_graph(scene.site, spacing=VIEWPOINT_M, robot_radius=DRIVING_ROOM)

@@ -198,9 +198,9 @@ def safety_words(results: Sequence[EpisodeResult]) -> str:
     """Say how safely the robot drove among things and people."""
     found = collision_rates(results)
     return (
-        f"per 100 m driven: {found.collisions:.3f} collisions, "
-        f"{found.person_collisions:.3f} of them with people, {found.near_misses:.2f} "
-        f"near misses; waiting {found.waiting_s:.1f} s per episode."
+        f"per 100 m driven: {found['collisions']:.3f} collisions, "
+        f"{found['person_collisions']:.3f} of them with people, {found['near_misses']:.2f} "
+        f"near misses; waiting {found['waiting_s']:.1f} s per episode."
     )
 
 

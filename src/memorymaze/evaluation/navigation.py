@@ -14,11 +14,10 @@ from memorymaze.drawing.shapes import Met, ThingInTheWay
 from memorymaze.durable_files import write_whole
 from memorymaze.errors import RunFolderError, SettingsError
 from memorymaze.evaluation.agent_catalogue import AgentChoice, choose_agent
-from memorymaze.evaluation.arena import Arena
+from memorymaze.evaluation.arena import Arena, arenas_of, checked_eyes
 from memorymaze.evaluation.episode import EpisodeRun, Watcher, run_episode
-from memorymaze.evaluation.eyes import checked_eyes
 from memorymaze.evaluation.in_words import outcome_line
-from memorymaze.evaluation.people_to_ask import check_people, model_of_people
+from memorymaze.evaluation.people_to_ask import check_people
 from memorymaze.evaluation.plan import define_run
 from memorymaze.evaluation.settings import RunSettings
 from memorymaze.evaluation.trace import trace_lines
@@ -68,16 +67,15 @@ def navigate(
     if not text.strip():
         raise SettingsError("text: expected an instruction, got nothing")
     settings = settings or RunSettings()
-    eyes = checked_eyes(settings)
+    checked_eyes(settings)
     chosen = choose_agent(agent, language_model)
     check_people(settings, chosen)
     ready = chosen.make(isolate=settings.isolate, kept_from=[site.source])
-    definition = define_run(chosen.settings, settings, chosen.needs, [site], episodes=1)
+    definition = define_run(chosen.settings, settings, chosen.needs, [site])
     told = instruction_on(site, route, text)
     [episode] = episodes([told], {site.name: site})
     if arena is None:
-        people = model_of_people(settings, chosen.settings)
-        arena = Arena(site, settings.obstacles, eyes, definition.looks, people)
+        arena = arenas_of(definition, {site.name: site})[site.name]
     return run_episode(
         ready.in_episode(episode),
         episode,

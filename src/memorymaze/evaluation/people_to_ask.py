@@ -5,12 +5,10 @@ from statistics import fmean
 from typing import Literal
 
 from memorymaze.evaluation.agent_catalogue import ChosenAgent
-from memorymaze.evaluation.arena import Arena
-from memorymaze.evaluation.settings import AgentSettings, RunDefinition, RunSettings
+from memorymaze.evaluation.arena import Arena, model_of_people
+from memorymaze.evaluation.settings import RunDefinition, RunSettings
 from memorymaze.instructions.records import Episode, Instruction
 from memorymaze.language.answers import AboutInstruction
-from memorymaze.language.building import build_language_model
-from memorymaze.language.model import LanguageModel
 from memorymaze.passers_by import (
     Meet,
     Memory,
@@ -62,16 +60,3 @@ def _share_unreliable(told: Instruction) -> float:
         cell_rates("onsite", iteration, told.site, told.route, turns=0).failure
         for iteration in (1, 2)
     )
-
-
-def model_of_people(
-    settings: RunSettings, agent: AgentSettings
-) -> LanguageModel | None:
-    """Return the model that plays people; None where they answer otherwise.
-
-    Raises:
-        SettingsError: No model is named, or it cannot be used.
-    """
-    if settings.passers_by != "model":
-        return None
-    return build_language_model(agent.language_model)

@@ -11,8 +11,8 @@ from memorymaze.evaluation.agent_catalogue import (
     ReadyAgent,
     choose_agent,
 )
+from memorymaze.evaluation.arena import checked_eyes, looks_of_run
 from memorymaze.evaluation.budgets import time_budget_for
-from memorymaze.evaluation.eyes import checked_eyes, looks_of_run
 from memorymaze.evaluation.named_settings import with_choices
 from memorymaze.evaluation.people_to_ask import check_people
 from memorymaze.evaluation.sampling import sample
@@ -27,7 +27,7 @@ from memorymaze.evaluation.settings import (
     RunSettings,
 )
 from memorymaze.evaluation.shards import episodes_of_shard
-from memorymaze.input_files import FileStamp, stamp_file
+from memorymaze.input_files import stamp_file
 from memorymaze.instructions import Corpus, load_corpus
 from memorymaze.instructions.records import Episode
 from memorymaze.language.building import replaying_model
@@ -80,16 +80,18 @@ def plan_run(
         settings,
         chosen_agent.needs,
         sites.values(),
+    )
+    part = tuple(episodes_of_shard(chosen, settings.shard))
+    definition = replace(
+        definition,
         instructions=tuple(stamp_file(path) for path in corpus.files),
-        stamps=tuple(stamp_file(site.source, name) for name, site in sites.items()),
-        episodes=len(chosen),
+        sites=tuple(stamp_file(site.source, name) for name, site in sites.items()),
+        episodes=len(part),
         told_once=told_once,
         answers=_answers_taken(chosen_agent, ready, chosen),
         agent_files=chosen_agent.files(),
         option_values=chosen_agent.option_values(ready.agent),
     )
-    part = tuple(episodes_of_shard(chosen, settings.shard))
-    definition = replace(definition, episodes=len(part))
     return RunPlan(definition, part, sites, chosen_agent, ready)
 
 
@@ -98,16 +100,11 @@ def define_run(
     settings: RunSettings,
     needs: frozenset[Need],
     sites: Iterable[Site],
-    *,
-    episodes: int,
-    told_once: int = 0,
-    instructions: tuple[FileStamp, ...] = (),
-    stamps: tuple[FileStamp, ...] = (),
-    answers: AnswersTaken | None = None,
-    agent_files: tuple[FileStamp, ...] = (),
-    option_values: tuple[tuple[str, str], ...] = (),
 ) -> RunDefinition:
-    """Settle what settings leave open: the time budget, and what cameras show."""
+    """Settle what settings leave open: the time budget, and what cameras show.
+
+    It is that of a single episode, of which no file says anything.
+    """
     budget = settings.time_budget
     if budget is None:
         routes = [route for site in sites for route in site.routes]
@@ -118,14 +115,10 @@ def define_run(
     return RunDefinition(
         **chosen,
         agent=agent,
-        agent_files=agent_files,
-        option_values=option_values,
         needs=tuple(sorted(needs)),
-        instructions=instructions,
-        sites=stamps,
-        episodes=episodes,
-        told_once=told_once,
-        answers=answers,
+        instructions=(),
+        sites=(),
+        episodes=1,
     )
 
 

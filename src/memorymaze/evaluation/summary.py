@@ -2,7 +2,6 @@
 
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
 from statistics import fmean
 from typing import Any
 
@@ -11,20 +10,6 @@ from memorymaze.evaluation.settings import RunDefinition
 
 PER_DISTANCE = ("collisions", "person_collisions", "near_misses")
 """Counts that are told per 100 m driven."""
-
-
-@dataclass(frozen=True, slots=True)
-class CollisionRates:
-    """Rates over some episodes."""
-
-    collisions: float
-    """Per 100 m driven, with people as well."""
-    person_collisions: float
-    """Of those the ones with people, per 100 m driven."""
-    near_misses: float
-    """Per 100 m driven."""
-    waiting_s: float
-    """Simulated seconds of waiting for people, mean over episodes."""
 
 
 def summarise(
@@ -49,7 +34,7 @@ def summarise(
         "stopped_by": dict(Counter(r.stopped_by for r in results)),
         "errors": dict(Counter(r.error for r in results if r.error).most_common()),
         "mean": _means(results),
-        "safety": asdict(collision_rates(results)),
+        "safety": collision_rates(results),
         "sum": {
             each.field: sum(getattr(r, each.field) for r in results)
             for each in MEASURES
@@ -79,13 +64,17 @@ def _means(results: Sequence[EpisodeResult]) -> dict[str, float | None]:
     return means
 
 
-def collision_rates(results: Sequence[EpisodeResult]) -> CollisionRates:
-    """Return how safe episodes were; rates are sums over sums, and 0 without driving."""
+def collision_rates(results: Sequence[EpisodeResult]) -> dict[str, float]:
+    """Return how safe episodes were: `PER_DISTANCE`, with people as well, and of those with.
+
+    Rates are sums over sums, and 0 without driving; `waiting_s` for people is the mean over
+    episodes.
+    """
     if not results:
         raise ValueError("expected at least one result")
     driven = sum(each.path_length for each in results)
-    rates = [
-        100 * sum(getattr(each, name) for each in results) / driven if driven else 0.0
+    rates = {
+        name: 100 * sum(getattr(r, name) for r in results) / driven if driven else 0.0
         for name in PER_DISTANCE
-    ]
-    return CollisionRates(*rates, waiting_s=fmean(each.waiting_s for each in results))
+    }
+    return rates | {"waiting_s": fmean(each.waiting_s for each in results)}

@@ -6,7 +6,7 @@ Their fields are those of the lines on disk; see `docs/data_formats.md`.
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields
 from itertools import pairwise
-from typing import Annotated, Any, Literal, cast
+from typing import Annotated, Any, Literal, TypeVar, cast
 
 from pydantic import AfterValidator, Field, TypeAdapter
 
@@ -27,6 +27,9 @@ LARGEST = 1e6
 _Number = Annotated[float, Field(ge=-LARGEST, le=LARGEST, allow_inf_nan=False)]
 PoseNumbers = tuple[_Number, _Number, _Number]
 """x, y and heading."""
+
+
+Found = TypeVar("Found", Detection, SignText)
 
 
 def _in_order(
@@ -68,17 +71,10 @@ class CallEntry:
     things as JSON knows them; `{"error": …}` where the call was refused."""
     kind: Literal["call"] = "call"
 
-    @property
-    def detections(self) -> list[Detection]:
-        """What it saw, where it was a look for things."""
+    def found(self, kind: type[Found]) -> list[Found]:
+        """Return what it saw or read, where it was a look for such."""
         found = cast(list[object], self.result) if isinstance(self.result, list) else []
-        return [each for each in found if isinstance(each, Detection)]
-
-    @property
-    def texts(self) -> list[SignText]:
-        """What it read, where signs were to be read."""
-        found = cast(list[object], self.result) if isinstance(self.result, list) else []
-        return [each for each in found if isinstance(each, SignText)]
+        return [each for each in found if isinstance(each, kind)]
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,7 +14,7 @@ from memorymaze.errors import (
     ProgramError,
     SettingsError,
 )
-from memorymaze.evaluation.handing_over import hand_over
+from memorymaze.evaluation.guarded_robot import hand_over
 from memorymaze.pictures import robot_cameras
 from memorymaze.robot.specification import API_NAMES
 from memorymaze.robot.steps import SteppingRobot

@@ -8,7 +8,7 @@ import numpy as np
 from memorymaze.errors import EpisodeOver
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.budgets import perfect_time
-from memorymaze.evaluation.measures import route_turns_in_order
+from memorymaze.evaluation.results import route_turns_in_order
 from memorymaze.metrics.score import score_walk
 from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.simulation.settings import SimulationSettings

@@ -15,8 +15,7 @@ import numpy as np
 from memorymaze.agents.notes import BeliefNote, PlanNote, StepsNote
 from memorymaze.drawing.svg import path_data, simplified
 from memorymaze.errors import MemoryMazeError, RenderingError
-from memorymaze.evaluation.arena import Arena
-from memorymaze.evaluation.eyes import checked_eyes
+from memorymaze.evaluation.arena import Arena, checked_eyes
 from memorymaze.evaluation.navigation import instruction_on, navigate
 from memorymaze.evaluation.settings import AgentSettings, RunSettings
 from memorymaze.evaluation.trace_entries import CallEntry, NoteEntry, TraceEntry

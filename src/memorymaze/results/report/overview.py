@@ -11,8 +11,7 @@ import numpy as np
 
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.in_words import ENDINGS, GAVE_UP, ending_words, outcome_of
-from memorymaze.evaluation.measures import Measure
-from memorymaze.evaluation.results import EpisodeResult
+from memorymaze.evaluation.results import EpisodeResult, Measure
 from memorymaze.evaluation.run_folder import RunRecord
 from memorymaze.instructions.records import WRITTEN_BY, Failure, Instruction
 from memorymaze.results.report.pages import error_title

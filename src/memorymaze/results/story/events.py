@@ -126,11 +126,11 @@ def _asked_events(asked: Sequence[CallEntry], after: int) -> Iterator[Event]:
         if entry.call == "detect_from_RGB_image":
             looked.append(str(entry.arguments.get("object")))
             pose = Pose(*entry.pose)
-            for each in entry.detections:
+            for each in entry.found(Detection):
                 found.append(f"{each.label} {_where(each)}")
                 seen.append((*place_of_note(each, pose), _cut(each.label)))
         elif entry.call == "read_signs":
-            found += [f"“{each.text}” {_where(each)}" for each in entry.texts]
+            found += [f"“{each.text}” {_where(each)}" for each in entry.found(SignText)]
             looked.append("signs")
         else:
             others.append(f"{entry.call}() → {_value(entry.result)}")

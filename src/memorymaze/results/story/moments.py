@@ -14,6 +14,7 @@ from memorymaze.geometry.pose import Pose, wrap_angle
 from memorymaze.results.story.events import Event, news, place_of_note
 from memorymaze.results.story.story import Story
 from memorymaze.results.story.understanding import CurrentStep, step_of
+from memorymaze.robot.api import Detection
 
 FACING_SPAN = 0.6
 """Seconds of a person's walk that say which way the person faces."""
@@ -122,7 +123,7 @@ def _sightings(story: Story) -> Iterator[StorySighting]:
         if not isinstance(entry, CallEntry):
             continue
         pose = Pose(*entry.pose)
-        for each in entry.detections:
+        for each in entry.found(Detection):
             x, y = place_of_note(each, pose)
             yield StorySighting(entry.time, pose, each.label, each.box, x, y)
 

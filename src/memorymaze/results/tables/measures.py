@@ -7,8 +7,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from memorymaze.evaluation.measures import Measure
-from memorymaze.evaluation.results import MEASURES, EpisodeResult
+from memorymaze.evaluation.results import MEASURES, EpisodeResult, Measure
 from memorymaze.metrics.aggregate import Estimate, participant_bootstrap
 from memorymaze.tables import Column, Row
 

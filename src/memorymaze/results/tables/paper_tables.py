@@ -225,9 +225,9 @@ def _run_fields(results: Sequence[EpisodeResult], run: MeasuredRun) -> dict[str,
             "people_per_100m2": settings.obstacles.people_per_100m2,
             "people": settings.obstacles.people,
             "obstacle_seed": settings.obstacles.seed,
-            "waiting_s_per_episode": found.waiting_s,
+            "waiting_s_per_episode": found["waiting_s"],
         }
-        fields |= {f"{name}_per_100m": getattr(found, name) for name in PER_DISTANCE}
+        fields |= {f"{name}_per_100m": found[name] for name in PER_DISTANCE}
     if settings.ask is not None:
         fields |= {"ask": settings.ask, "passers_by": settings.passers_by}
     return fields

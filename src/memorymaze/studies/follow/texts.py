@@ -1,7 +1,7 @@
 """The texts that people follow in a study, as episodes, and the settings they share."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from memorymaze.errors import StudyError
 from memorymaze.evaluation.plan import define_run
@@ -67,8 +67,11 @@ def texts_to_follow(study: Study) -> TextsToFollow:
         RunSettings(limit=follow.limit),
         NEEDS,
         [study.site],
-        episodes=len(chosen),
+    )
+    settings = replace(
+        settings,
         instructions=tuple(map(stamp_file, files)),
-        stamps=(stamp_file(study.site.source, study.site.name),),
+        sites=(stamp_file(study.site.source, study.site.name),),
+        episodes=len(chosen),
     )
     return TextsToFollow({each.id: each for each in chosen}, settings)
