@@ -1,11 +1,10 @@
-import argparse
 import json
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
-from memorymaze.cli import sites
+from memorymaze.cli.main import DONE, command_line
 from memorymaze.errors import SettingsError, SitePlanError
 
 Command = Callable[..., int]
@@ -17,10 +16,8 @@ def command(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Command:
     monkeypatch.chdir(tmp_path)
 
     def run(*arguments: object) -> int:
-        parser = argparse.ArgumentParser(prog="memorymaze")
-        sites.add_parser(parser.add_subparsers(required=True))
-        options = parser.parse_args(["sites", *map(str, arguments)])
-        return options.run(options)
+        options = command_line().parse_args(["sites", *map(str, arguments)])
+        return options.run(options) or DONE
 
     return run
 

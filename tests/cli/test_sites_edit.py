@@ -1,4 +1,3 @@
-import argparse
 import re
 import signal
 import subprocess
@@ -8,7 +7,7 @@ from pathlib import Path
 import httpx2
 import pytest
 
-from memorymaze.cli import sites
+from memorymaze.cli.main import command_line
 from memorymaze.errors import MemoryMazeError
 from memorymaze.sites.loading import new_plan
 
@@ -45,9 +44,7 @@ def test_what_cannot_be_edited_is_refused_before_a_page_is_served(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, arguments: list[str], said: str
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    parser = argparse.ArgumentParser(prog="memorymaze")
-    sites.add_parser(parser.add_subparsers(required=True))
-    options = parser.parse_args(["sites", "edit", *arguments])
+    options = command_line().parse_args(["sites", "edit", *arguments])
     with pytest.raises(MemoryMazeError, match=said):
         options.run(options)
     assert list(tmp_path.iterdir()) == []

@@ -1,10 +1,9 @@
-import argparse
 import json
 from pathlib import Path
 
 import pytest
 
-from memorymaze.cli import sites
+from memorymaze.cli.main import DONE, command_line
 from memorymaze.errors import SettingsError
 from memorymaze.sites import load_site
 from memorymaze.testing import check_site
@@ -18,10 +17,8 @@ def command(monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)
 
     def run(*arguments):
-        parser = argparse.ArgumentParser(prog="memorymaze")
-        sites.add_parser(parser.add_subparsers(required=True))
-        options = parser.parse_args(["sites", "import", *map(str, arguments)])
-        return options.run(options)
+        options = command_line().parse_args(["sites", "import", *map(str, arguments)])
+        return options.run(options) or DONE
 
     return run
 

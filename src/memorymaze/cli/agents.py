@@ -39,9 +39,8 @@ def add_parser(verbs: Verbs) -> None:
     parser.set_defaults(run=_run)
 
 
-def _run(options: argparse.Namespace) -> int:
+def _run(options: argparse.Namespace) -> None:
     print(agent_listing(options.names), end="")
-    return 0
 
 
 def agent_listing(names: Sequence[str]) -> str:

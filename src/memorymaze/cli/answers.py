@@ -4,7 +4,7 @@ import argparse
 import sys
 from typing import TYPE_CHECKING
 
-from memorymaze.cli.agent_options import given_options
+from memorymaze.cli.agent_options import agent_settings, episode_settings
 from memorymaze.cli.verbs import Verbs, add_corpus_options
 from memorymaze.extras import command_here
 from memorymaze.wording import counted
@@ -112,25 +112,16 @@ def _add_what(parser: argparse.ArgumentParser, agent: str | None) -> None:
 
 
 def _plan(options: argparse.Namespace, answers: str) -> "RunPlan":
-    from memorymaze.cli.agent_options import episode_settings
     from memorymaze.evaluation.plan import plan_run, settings_for
-    from memorymaze.evaluation.settings import AgentSettings
     from memorymaze.instructions import load_corpus
-    from memorymaze.language.model_settings import ModelSettings
 
     corpus = load_corpus(options.instructions, sites=options.sites)
-    return plan_run(
-        AgentSettings(
-            name=options.agent,
-            language_model=ModelSettings(model=options.model, replay=answers),
-            options=given_options(options.set),
-        ),
-        corpus,
-        episode_settings(options, settings_for(corpus)),
-    )
+    options.replay = answers
+    settings = episode_settings(options, settings_for(corpus))
+    return plan_run(agent_settings(options), corpus, settings)
 
 
-def _write_requests(options: argparse.Namespace) -> int:
+def _write_requests(options: argparse.Namespace) -> None:
     from memorymaze.durable_files import write_new
     from memorymaze.evaluation.answers import open_requests
     from memorymaze.language.answer_files import AnswerFile
@@ -151,10 +142,9 @@ def _write_requests(options: argparse.Namespace) -> int:
         print(f"{counted(len(lines), 'request')} in {options.out}")
     else:
         print(f"nothing is open: {command_here()} evaluate --replay {options.store}")
-    return 0
 
 
-def _import_replies(options: argparse.Namespace) -> int:
+def _import_replies(options: argparse.Namespace) -> None:
     from memorymaze.errors import AnswerFileError
     from memorymaze.input_files import refusal
     from memorymaze.language.answer_files import AnswerFile
@@ -178,7 +168,6 @@ def _import_replies(options: argparse.Namespace) -> int:
     print(f"{counted(len(replies) - failed, 'answer')} in {options.store}")
     if failed:
         print(f"{counted(failed, 'request')} failed and stay open")
-    return 0
 
 
 def _check(options: argparse.Namespace) -> int:

@@ -35,7 +35,7 @@ def add_parser(verbs: Verbs) -> None:
     parser.set_defaults(run=_run)
 
 
-def _run(options: argparse.Namespace) -> int:
+def _run(options: argparse.Namespace) -> None:
     from memorymaze.results.tables import (
         COMPARISON,
         EQUAL_METRES,
@@ -52,4 +52,3 @@ def _run(options: argparse.Namespace) -> int:
     else:
         tables = [paired_table(runs, COMPARISON if len(runs) == 2 else OVERVIEW)]
     print(write_tables(tables, options.format).decode(), end="")
-    return 0

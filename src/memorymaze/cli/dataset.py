@@ -71,7 +71,7 @@ def _add_make(verbs: Verbs) -> None:
     parser.set_defaults(run=_make)
 
 
-def _make(options: argparse.Namespace) -> int:
+def _make(options: argparse.Namespace) -> None:
     from memorymaze.datasets import check_dataset_folder, make_dataset
     from memorymaze.options import check_whole
 
@@ -88,7 +88,6 @@ def _make(options: argparse.Namespace) -> int:
         )
     print(table)
     print(f"{options.out}/README.md")
-    return 0
 
 
 def _request(options: argparse.Namespace) -> "DatasetRequest":

@@ -18,11 +18,10 @@ def add_parser(verbs: Verbs) -> None:
     parser.set_defaults(run=_run)
 
 
-def _run(options: argparse.Namespace) -> int:
+def _run(options: argparse.Namespace) -> None:
     from memorymaze.library.doctor import examine
 
     for check in examine():
         print(f"{'works' if check.works else 'missing':8} {check.what}: {check.found}")
         if check.remedy:
             print(f"         type: {check.remedy}")
-    return 0

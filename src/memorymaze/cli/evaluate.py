@@ -7,7 +7,7 @@ import shlex
 import sys
 from collections.abc import Generator
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from memorymaze.cli.agent_options import (
     add_agent_name,
@@ -24,9 +24,7 @@ from memorymaze.wording import counted
 
 if TYPE_CHECKING:
     from memorymaze.evaluation.plan import RunPlan
-    from memorymaze.evaluation.settings import AgentSettings, RunSettings
     from memorymaze.evaluation.worker_pool import Workforce
-    from memorymaze.instructions import Corpus
 
 
 def add_parser(verbs: Verbs) -> None:
@@ -81,7 +79,7 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
     parser.set_defaults(run=_run)
 
 
-def _run(options: argparse.Namespace) -> int:
+def _run(options: argparse.Namespace) -> int | None:
     from memorymaze.errors import SettingsError
 
     if options.workers < 0:
@@ -93,27 +91,18 @@ def _run(options: argparse.Namespace) -> int:
     return _run_one(options) if options.suite is None else _run_suite(options)
 
 
-def _run_one(options: argparse.Namespace) -> int:
+def _run_one(options: argparse.Namespace) -> None:
     from memorymaze.evaluation.in_words import crash_lines, result_lines
+    from memorymaze.evaluation.plan import settings_for
+    from memorymaze.instructions import load_corpus
     from memorymaze.library.runs import default_folder, evaluate
 
     out = Path(options.out or default_folder(options.agent))
-    agent, corpus, settings = _what_to_follow(options)
-    with _workforce(options) as workforce:
-        try:
-            # What a user's agent prints while it is made is no result.
-            with contextlib.redirect_stdout(sys.stderr):
-                run = evaluate(
-                    agent,
-                    corpus,
-                    out=out,
-                    settings=settings,
-                    workers=workforce,
-                    resume=options.resume,
-                    on_plan=functools.partial(_announce, workforce),
-                )
-        except KeyboardInterrupt:
-            return _interrupted(out)
+    agent = agent_settings(options)
+    corpus = load_corpus(options.instructions, sites=options.sites)
+    settings = episode_settings(options, settings_for(corpus))
+    with _working(options, out) as how:
+        run = evaluate(agent, corpus, out=out, settings=settings, **how)
     print(f"run {run.folder}")
     print("\n".join(result_lines(run.record.settings, run.results)))
     for line in crash_lines(run.folder, run.results, whole=options.debug):
@@ -121,7 +110,6 @@ def _run_one(options: argparse.Namespace) -> int:
     shard = run.record.settings.shard
     when = "" if shard is None else f", when all {shard.of} parts are there"
     print(f"tables{when}: {command_here()} table {shlex.quote(str(out))}")
-    return 0
 
 
 def _run_suite(options: argparse.Namespace) -> int:
@@ -139,19 +127,8 @@ def _run_suite(options: argparse.Namespace) -> int:
             )
     suite = read_suite(options.suite)
     out = Path(options.out or default_folder(Path(options.suite).stem))
-    with _workforce(options) as workforce:
-        try:
-            with contextlib.redirect_stdout(sys.stderr):
-                failed = run_suite(
-                    suite,
-                    out,
-                    given=given_settings(options),
-                    workers=workforce,
-                    resume=options.resume,
-                    on_plan=functools.partial(_announce, workforce),
-                )
-        except KeyboardInterrupt:
-            return _interrupted(out)
+    with _working(options, out) as how:
+        failed = run_suite(suite, out, given=given_settings(options), **how)
     failures = [f"run {name}: {error}" for name, error in failed.items()]
     finished = [out / run.name for run in suite.runs if run.name not in failed]
     runs = load_runs(finished) if finished else []
@@ -168,13 +145,25 @@ def _run_suite(options: argparse.Namespace) -> int:
     return 1 if failures else 0
 
 
-def _interrupted(out: Path) -> int:
-    print(
-        "\nmemorymaze: interrupted; what is finished is kept. To go on:\n  "
-        + _resuming(sys.argv[1:], out),
-        file=sys.stderr,
-    )
-    return 1
+@contextlib.contextmanager
+def _working(options: argparse.Namespace, out: Path) -> Generator[dict[str, Any]]:
+    """Give how runs are worked on; end the program where that is interrupted."""
+    with _workforce(options) as workforce:
+        try:
+            # What a user's agent prints while it is made is no result.
+            with contextlib.redirect_stdout(sys.stderr):
+                yield {
+                    "workers": workforce,
+                    "resume": options.resume,
+                    "on_plan": functools.partial(_announce, workforce),
+                }
+        except KeyboardInterrupt:
+            print(
+                "\nmemorymaze: interrupted; what is finished is kept. To go on:\n  "
+                + _resuming(sys.argv[1:], out),
+                file=sys.stderr,
+            )
+            raise SystemExit(1) from None
 
 
 def _announce(workforce: "Workforce", plan: "RunPlan", out: Path) -> None:
@@ -209,18 +198,6 @@ def _workforce(options: argparse.Namespace) -> Generator["Workforce"]:
         open_ray_cluster(options.ray, options.workers) as cluster,
     ):
         yield cluster
-
-
-def _what_to_follow(
-    options: argparse.Namespace,
-) -> "tuple[AgentSettings, Corpus, RunSettings]":
-    from memorymaze.evaluation.plan import settings_for
-    from memorymaze.instructions import load_corpus
-
-    agent = agent_settings(options)
-    corpus = load_corpus(options.instructions, sites=options.sites)
-    base = settings_for(corpus)
-    return agent, corpus, episode_settings(options, base)
 
 
 def _resuming(arguments: list[str], out: Path) -> str:

@@ -1,7 +1,7 @@
 """`memorymaze`: reads the arguments, calls a verb, and turns errors into messages.
 
-Results go to stdout, progress and messages to stderr. Exit codes: 0 done, 1 failed,
-2 wrong usage. Verbs import what they need when they run, so that help comes at once.
+Results go to stdout, progress and messages to stderr. Exit codes: 0 done, which is
+what a verb means that returns nothing, 1 failed, 2 wrong usage. Verbs import what they need when they run, so that help comes at once.
 """
 
 import argparse
@@ -55,7 +55,7 @@ def run_command_line(arguments: Sequence[str] | None = None) -> int:
         with warnings.catch_warnings():
             warnings.filterwarnings("always", category=InstructionFileWarning)
             warnings.showwarning = _show_warning
-            return options.run(options)
+            return options.run(options) or DONE
     except MemoryMazeError as error:
         _explain(error, options.debug)
         return WRONG_USAGE if isinstance(error, SettingsError) else FAILED

@@ -60,7 +60,7 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
     parser.set_defaults(run=_run)
 
 
-def _run(options: argparse.Namespace) -> int:
+def _run(options: argparse.Namespace) -> None:
     import memorymaze as mm
     from memorymaze.evaluation.in_words import amount_lines
     from memorymaze.evaluation.navigation import check_folder
@@ -106,7 +106,6 @@ def _run(options: argparse.Namespace) -> int:
         print(line)
     for path in walk.save(folder):
         print(path)
-    return 0
 
 
 def _onlooker(options: argparse.Namespace) -> "Onlooker | None":

@@ -59,7 +59,7 @@ def add_parser(verbs: Verbs) -> None:
     parser.set_defaults(run=_run)
 
 
-def _run(options: argparse.Namespace) -> int:
+def _run(options: argparse.Namespace) -> None:
     from memorymaze.pictures.films.video_file import check_target
     from memorymaze.results.replay.film import ReplaySettings, film_replay
     from memorymaze.results.replay.recording import check_recording_path, record_replay
@@ -94,7 +94,6 @@ def _run(options: argparse.Namespace) -> int:
     if video is not None:
         count = film_replay(episode, video, settings, progress=True)
         print(f"{video}: {count / settings.fps:.0f} s, {count} frames")
-    return 0
 
 
 def picture_size(text: str) -> tuple[int, int]:

@@ -23,10 +23,12 @@ def add_parser(verbs: Verbs) -> None:
     parser.set_defaults(run=_run)
 
 
-def _run(options: argparse.Namespace) -> int:
-    from memorymaze.results.report import check_out, read_sources, write_report
+def _run(options: argparse.Namespace) -> None:
+    from memorymaze.durable_files import check_new_folder
+    from memorymaze.results.report import REPORT_MARK, read_sources, write_report
 
-    check_out(options.out, overwrite=options.overwrite)
+    # Before the work rather than after it.
+    check_new_folder(options.out, replaces=REPORT_MARK if options.overwrite else None)
     sources = read_sources(options.runs, exclude_dev=options.exclude_dev)
     with shown_progress("episode") as show:
         notes = write_report(
@@ -35,4 +37,3 @@ def _run(options: argparse.Namespace) -> int:
     for note in notes:
         print(f"memorymaze: note: {note}", file=sys.stderr)
     print(f"{options.out}/index.html")
-    return 0

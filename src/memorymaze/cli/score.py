@@ -27,9 +27,8 @@ def add_parser(verbs: Verbs) -> None:
     parser.set_defaults(run=_run)
 
 
-def _run(options: argparse.Namespace) -> int:
+def _run(options: argparse.Namespace) -> None:
     from memorymaze.metrics.case_files import score_cases
 
     for line in score_cases(options.cases):
         print(json.dumps(line), flush=True)
-    return 0

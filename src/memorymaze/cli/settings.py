@@ -30,10 +30,10 @@ def add_parser(verbs: Verbs) -> None:
     parser.set_defaults(run=_run)
 
 
-def _run(options: argparse.Namespace) -> int:
+def _run(options: argparse.Namespace) -> None:
     if options.of is None:
         print(settings_listing(options.names), end="")
-        return 0
+        return
     from memorymaze.errors import SettingsError
     from memorymaze.evaluation.named_settings import settings_file
     from memorymaze.evaluation.run_folder import read_run
@@ -42,7 +42,6 @@ def _run(options: argparse.Namespace) -> int:
         raise SettingsError("--of: writes all settings of a run; leave the names out")
     settings = read_run(options.of)[0].settings
     print(settings_file(settings, settings.agent.language_model), end="")
-    return 0
 
 
 def settings_listing(names: Sequence[str]) -> str:

@@ -9,7 +9,7 @@ from memorymaze.cli.sites_edit import add_edit
 from memorymaze.cli.sites_export import add_export
 from memorymaze.cli.sites_film import add_film
 from memorymaze.cli.sites_import import add_import
-from memorymaze.cli.verbs import VerbParser, Verbs
+from memorymaze.cli.verbs import Verbs, add_plan
 from memorymaze.wording import counted
 
 if TYPE_CHECKING:
@@ -31,9 +31,7 @@ def add_parser(verbs: Verbs) -> None:
         "(docs/assets.md).",
         epilog="example: memorymaze sites check my_buildings/annex.geojson",
     )
-    parts = parser.add_subparsers(
-        title="verbs", metavar="VERB", required=True, parser_class=VerbParser
-    )
+    parts = parser.add_subparsers(title="verbs", metavar="VERB", required=True)
     _add_list(parts)
     _add_new(parts)
     add_edit(parts)
@@ -142,11 +140,7 @@ def _add_draw(verbs: Verbs) -> None:
         description="Draw a site and print the name of the file written.",
         epilog="example: memorymaze sites draw university --route R1 --out r1.svg",
     )
-    parser.add_argument(
-        "site",
-        metavar="FILE|NAME",
-        help="a plan, or a benchmark's site such as university",
-    )
+    add_plan(parser)
     parser.add_argument(
         "--out",
         metavar="FILE",
@@ -185,7 +179,7 @@ def _add_models(verbs: Verbs) -> None:
     parser.set_defaults(run=_models)
 
 
-def _new(args: argparse.Namespace) -> int:
+def _new(args: argparse.Namespace) -> None:
     from memorymaze.durable_files import write_new
     from memorymaze.sites.loading import new_plan
 
@@ -194,10 +188,9 @@ def _new(args: argparse.Namespace) -> int:
     out.parent.mkdir(parents=True, exist_ok=True)
     write_new(out, plan)
     print(out)
-    return DONE
 
 
-def _generate(args: argparse.Namespace) -> int:
+def _generate(args: argparse.Namespace) -> None:
     from memorymaze.construction import BUILDING_KINDS, make_building
     from memorymaze.durable_files import write_new
     from memorymaze.errors import SettingsError
@@ -211,15 +204,13 @@ def _generate(args: argparse.Namespace) -> int:
             path = args.out / f"{building.name}.geojson"
             write_new(path, building.plan)
             print(path)
-    return DONE
 
 
-def _list(args: argparse.Namespace) -> int:
+def _list(args: argparse.Namespace) -> None:
     from memorymaze.sites import load_sites
 
     sites = load_sites(args.sites)
     print("\n\n".join(_described(site) for site in sites.values()))
-    return DONE
 
 
 def _check(args: argparse.Namespace) -> int:
@@ -253,7 +244,7 @@ def _without_a_look(path: Path, found: "list[SiteProblem]") -> "list[SiteProblem
     return problems_of_looks(load_site(path))
 
 
-def _draw(args: argparse.Namespace) -> int:
+def _draw(args: argparse.Namespace) -> None:
     from memorymaze.drawing.plan_picture import draw_site
     from memorymaze.sites import load_site
 
@@ -261,10 +252,9 @@ def _draw(args: argparse.Namespace) -> int:
     out: Path = args.out or Path(f"{Path(site.source).stem}.png")
     draw_site(site, out, routes=args.route or True)
     print(out)
-    return DONE
 
 
-def _models(args: argparse.Namespace) -> int:
+def _models(args: argparse.Namespace) -> None:
     from memorymaze.pictures.furniture.conversion import DEBIAN_FOLDER, build_cache
     from memorymaze.pictures.furniture.models import cache_folder
 
@@ -277,7 +267,6 @@ def _models(args: argparse.Namespace) -> int:
         f"{counted(len(made), 'model')} for {kinds} kinds of things in {cache_folder()}; "
         f"creators and licences in {cache_folder() / 'CREDITS.md'}"
     )
-    return DONE
 
 
 def _plans(plan: str) -> list[Path]:

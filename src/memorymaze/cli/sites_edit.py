@@ -40,7 +40,7 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
     parser.set_defaults(run=_run)
 
 
-def _run(options: argparse.Namespace) -> int:
+def _run(options: argparse.Namespace) -> None:
     import secrets
     from hashlib import sha256
 
@@ -72,4 +72,3 @@ def _run(options: argparse.Namespace) -> int:
         hosts=THIS_MACHINE,
     )
     serve(app, f"edit {file.path.name}", f"/enter/{token}", port=options.port)
-    return 0

@@ -3,7 +3,7 @@
 import argparse
 from pathlib import Path
 
-from memorymaze.cli.verbs import Verbs
+from memorymaze.cli.verbs import Verbs, add_plan
 
 
 def add_export(verbs: Verbs) -> None:
@@ -24,11 +24,7 @@ def add_export(verbs: Verbs) -> None:
 def _add_options(parser: argparse.ArgumentParser) -> None:
     from memorymaze.exporting import FORMATS
 
-    parser.add_argument(
-        "site",
-        metavar="FILE|NAME",
-        help="a plan, or a benchmark's site such as university",
-    )
+    add_plan(parser)
     parser.add_argument("--to", choices=FORMATS, required=True, help="the format")
     parser.add_argument(
         "--out",
@@ -45,11 +41,10 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def _export(args: argparse.Namespace) -> int:
+def _export(args: argparse.Namespace) -> None:
     from memorymaze.exporting import FILE_ENDINGS, export_site
     from memorymaze.sites import load_site
 
     site = load_site(args.site)
     out: Path = args.out or Path(f"{Path(site.source).stem}{FILE_ENDINGS[args.to]}")
     print(export_site(site, args.to, out, resolution=args.resolution)[0])
-    return 0

@@ -48,7 +48,7 @@ def add_film(actions: Verbs) -> None:
     parser.set_defaults(run=_run)
 
 
-def _run(options: argparse.Namespace) -> int:
+def _run(options: argparse.Namespace) -> None:
     from memorymaze.pictures.films import (
         WalkthroughSettings,
         film_walkthrough,
@@ -70,4 +70,3 @@ def _run(options: argparse.Namespace) -> int:
     count = film_walkthrough(build_scene(site), route, path, settings, progress=True)
     seconds = count / settings.fps
     print(f"{path}: {seconds:.0f} s, {count} frames")
-    return 0

@@ -4,7 +4,7 @@ import argparse
 from typing import TYPE_CHECKING
 
 from memorymaze.cli.served_page import check_can_serve
-from memorymaze.cli.verbs import VerbParser, Verbs
+from memorymaze.cli.verbs import Verbs
 from memorymaze.wording import counted
 
 if TYPE_CHECKING:
@@ -24,9 +24,7 @@ def add_parser(verbs: Verbs) -> None:
         "browser, and make instruction files of what they say (docs/studies.md).",
         epilog="example: memorymaze study new my_study.toml --site university",
     )
-    actions = parser.add_subparsers(
-        title="actions", metavar="ACTION", required=True, parser_class=VerbParser
-    )
+    actions = parser.add_subparsers(title="actions", metavar="ACTION", required=True)
     _add_new(actions)
     _add_serve(actions)
     _add_export(actions)
@@ -55,7 +53,7 @@ def _add_new(actions: Verbs) -> None:
     parser.set_defaults(run=_new)
 
 
-def _new(options: argparse.Namespace) -> int:
+def _new(options: argparse.Namespace) -> None:
     from memorymaze.sites import load_site
     from memorymaze.studies.study_file import new_study
 
@@ -64,7 +62,6 @@ def _new(options: argparse.Namespace) -> int:
         f"{options.file}: a study to be changed; then type: "
         f"memorymaze study serve {options.file}"
     )
-    return 0
 
 
 def _add_serve(actions: Verbs) -> None:
@@ -102,7 +99,7 @@ def _add_serve(actions: Verbs) -> None:
     parser.set_defaults(run=_serve)
 
 
-def _serve(options: argparse.Namespace) -> int:
+def _serve(options: argparse.Namespace) -> None:
     check_can_serve("study serve")
     from memorymaze.pages.web import THIS_MACHINE, wait_for_interrupt
     from memorymaze.studies.films import Films
@@ -138,7 +135,6 @@ def _serve(options: argparse.Namespace) -> int:
                 print("nothing is recorded over http; end this and add --tls")
             print("Ctrl-C ends the server; what was sent is kept.", flush=True)
             wait_for_interrupt()
-    return 0
 
 
 def _explain_trust(addresses: "Addresses", certificate: "Certificate") -> None:
@@ -175,7 +171,7 @@ def _add_export(actions: Verbs) -> None:
     parser.set_defaults(run=_export)
 
 
-def _export(options: argparse.Namespace) -> int:
+def _export(options: argparse.Namespace) -> None:
     from memorymaze.instructions.records import WRITTEN_BY
     from memorymaze.studies.exporting import export_study
     from memorymaze.studies.store import open_store
@@ -183,7 +179,8 @@ def _export(options: argparse.Namespace) -> int:
 
     study = load_study(options.file)
     if study.design.kind == "follow":
-        return _export_walks(study, options)
+        _export_walks(study, options)
+        return
     with open_store(study, alone=False) as store:
         done = export_study(study, store, options.out)
     print(
@@ -198,10 +195,9 @@ def _export(options: argparse.Namespace) -> int:
             f"{counted(done.unwritten, 'participant')} left out, with recordings that are "
             "not written down (the experimenter's page Texts)"
         )
-    return 0
 
 
-def _export_walks(study: "Study", options: argparse.Namespace) -> int:
+def _export_walks(study: "Study", options: argparse.Namespace) -> None:
     """Write the walks of people as runs."""
     from memorymaze.studies.follow.runs import export_walks
     from memorymaze.studies.store import open_store
@@ -215,7 +211,6 @@ def _export_walks(study: "Study", options: argparse.Namespace) -> int:
         print(f"{counted(done.never_followed, 'text')} nobody has followed yet")
     for folder in done.folders:
         print(f"see them beside a run of agents: memorymaze table {folder} RUN")
-    return 0
 
 
 def _add_withdraw(actions: Verbs) -> None:
@@ -235,7 +230,7 @@ def _add_withdraw(actions: Verbs) -> None:
     parser.set_defaults(run=_withdraw)
 
 
-def _withdraw(options: argparse.Namespace) -> int:
+def _withdraw(options: argparse.Namespace) -> None:
     from memorymaze.studies.store import open_store
     from memorymaze.studies.study_file import load_study
 
@@ -246,7 +241,6 @@ def _withdraw(options: argparse.Namespace) -> int:
     print(f"{study.data_folder()}: nothing of them is left")
     for path in done.exports:
         print(f"make this export anew, it still holds the texts: {path}")
-    return 0
 
 
 def _add_file(parser: argparse.ArgumentParser) -> None:

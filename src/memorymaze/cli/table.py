@@ -51,7 +51,7 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
     parser.set_defaults(run=_run)
 
 
-def _run(options: argparse.Namespace) -> int:
+def _run(options: argparse.Namespace) -> None:
     from memorymaze.cli.agent_options import given_options
     from memorymaze.errors import SettingsError
     from memorymaze.results.tables import load_runs, run_tables
@@ -67,4 +67,3 @@ def _run(options: argparse.Namespace) -> int:
     else:
         Path(options.out).write_bytes(content)
         print(options.out)
-    return 0

@@ -66,7 +66,7 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
     parser.set_defaults(run=_run)
 
 
-def _run(options: argparse.Namespace) -> int:
+def _run(options: argparse.Namespace) -> None:
     from memorymaze.errors import SettingsError
     from memorymaze.evaluation.agent_catalogue import choose_agent
     from memorymaze.evaluation.named_settings import model_settings
@@ -108,4 +108,3 @@ def _run(options: argparse.Namespace) -> int:
     with Visits(settings, beside, most=options.robots) as visits:
         app = make_app(TryPages(visits, sites).routes(), TRYING_ROOM, hosts=hosts)
         serve(app, "try the robot", host=options.host, port=options.port)
-    return 0

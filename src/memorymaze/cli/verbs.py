@@ -78,15 +78,18 @@ def add_corpus_options(
     add_sites_option(parser)
 
 
-def add_leaderboard_options(parser: ArgumentParser) -> None:
-    """Add what a leaderboard is about, of verbs that check submissions to it."""
-    texts = "the leaderboard's instructions (default: the shipped ones)"
-    add_corpus_options(parser, texts)
-
-
 def add_files(parser: ArgumentParser) -> None:
     """Add instruction files, of verbs that take the shipped texts where there are none."""
     parser.add_argument("files", metavar="FILE", nargs="*", help=TEXTS)
+
+
+def add_plan(parser: ArgumentParser) -> None:
+    """Add a building that need not have routes."""
+    parser.add_argument(
+        "site",
+        metavar="FILE|NAME",
+        help="a plan, or a benchmark's site such as university",
+    )
 
 
 def add_site_and_route(parser: ArgumentParser) -> None:

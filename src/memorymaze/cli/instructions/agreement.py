@@ -41,7 +41,7 @@ def add_parser(actions: Verbs) -> None:
     parser.set_defaults(run=_run)
 
 
-def _run(options: argparse.Namespace) -> int:
+def _run(options: argparse.Namespace) -> None:
     import numpy as np
 
     from memorymaze.collection.agreement import (
@@ -88,4 +88,3 @@ def _run(options: argparse.Namespace) -> int:
             f"{counted(len(told), 'text')}",
             file=sys.stderr,
         )
-    return 0

@@ -59,7 +59,7 @@ def add_parser(actions: Verbs) -> None:
         add_sites_option(action)
 
 
-def _export(options: argparse.Namespace) -> int:
+def _export(options: argparse.Namespace) -> None:
     from memorymaze.instructions import load_corpus
     from memorymaze.instructions.exchange import write_r2r, write_vln_ce
     from memorymaze.instructions.spreadsheets import write_spreadsheet
@@ -74,10 +74,9 @@ def _export(options: argparse.Namespace) -> int:
         written = write(options.out, read, sites)
     for path in written:
         print(path)
-    return 0
 
 
-def _import(options: argparse.Namespace) -> int:
+def _import(options: argparse.Namespace) -> None:
     from memorymaze.errors import SettingsError
     from memorymaze.instructions import episodes, write_instructions
     from memorymaze.instructions.exchange import Unlabelled, read_r2r, read_vln_ce
@@ -100,4 +99,3 @@ def _import(options: argparse.Namespace) -> int:
     read = [each.instruction for each in episodes(read, sites)]
     write_instructions(options.out, read)
     print(f"{options.out}: {counted(len(read), 'instruction')}")
-    return 0

@@ -34,7 +34,7 @@ def add_parser(actions: Verbs) -> None:
     parser.set_defaults(run=_run)
 
 
-def _run(options: argparse.Namespace) -> int:
+def _run(options: argparse.Namespace) -> None:
     from memorymaze.collection.label_sheet import read_label_sheet, write_label_sheet
     from memorymaze.collection.labels import (
         append_labels,
@@ -61,14 +61,13 @@ def _run(options: argparse.Namespace) -> int:
         write_label_sheet(options.csv, waiting)
         _say(f"{counted(len(waiting), 'row')} to fill in; then the same command again")
         print(options.csv)
-        return 0
+        return
     read = read_label_sheet(options.csv, questions(told, sites), annotator)
     new = [label for label in read if done.get(label.instruction) != label]
     append_labels(options.out, new)
     left = len(told) - len(done.keys() | {label.instruction for label in new})
     _say(f"{counted(len(new), 'label')} added, {counted(left, 'text')} to go")
     print(options.out)
-    return 0
 
 
 def _say(text: str) -> None:

@@ -35,7 +35,7 @@ def add_parser(actions: Verbs) -> None:
     parser.set_defaults(run=_run)
 
 
-def _run(options: argparse.Namespace) -> int:
+def _run(options: argparse.Namespace) -> None:
     from memorymaze.errors import SettingsError
     from memorymaze.instructions import load_corpus
     from memorymaze.instructions.record_format import write_file
@@ -56,4 +56,3 @@ def _run(options: argparse.Namespace) -> int:
     else:
         write_file(options.out, text.encode())
         print(options.out)
-    return 0

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from memorymaze.drawing.svg import ViewBox, path_data, plan_frame, svg_plan
-from memorymaze.durable_files import check_new_folder, new_folder
+from memorymaze.durable_files import new_folder
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.results.report.belief_timeline import belief_timeline
@@ -45,7 +45,7 @@ from memorymaze.results.tables.questions import means_table
 from memorymaze.sites import Route, Site
 from memorymaze.tables import Row, Table
 
-MARK = "static/replay.js"
+REPORT_MARK = "static/replay.js"
 """A file by which a folder is known to be a report."""
 
 
@@ -74,17 +74,8 @@ def write_report(
     Raises:
         SettingsError: The folder holds something else, or cannot be made.
     """
-    with new_folder(folder, replaces=MARK if overwrite else None) as unfinished:
+    with new_folder(folder, replaces=REPORT_MARK if overwrite else None) as unfinished:
         return _Report(sources, Pages(unfinished)).write(progress)
-
-
-def check_out(folder: str | Path, *, overwrite: bool = False) -> None:
-    """Refuse a place for a report before anything is read for it.
-
-    Raises:
-        SettingsError: It holds something else.
-    """
-    check_new_folder(folder, replaces=MARK if overwrite else None)
 
 
 class _Report:
