@@ -10,7 +10,9 @@ from memorymaze.errors import InstructionFileError, did_you_mean
 from memorymaze.instructions.corpus import site_problems
 from memorymaze.instructions.error_kinds import ERROR_KINDS
 from memorymaze.instructions.files import (
+    Findings,
     instruction_place,
+    placed,
     read_instruction_file,
     repeated_ids,
 )
@@ -61,30 +63,33 @@ def check_instruction_files(
         else:
             instructions += read
             problems += wrong
-    unusable = repeated_ids(instructions) + site_problems(instructions, sites)
-    unusable += _double_counts(instructions) + _damaged(instructions)
+    unusable = placed(
+        repeated_ids(instructions),
+        site_problems(instructions, sites),
+        _double_counts(instructions),
+        _damaged(instructions),
+    )
+    notes = placed(
+        _repeated_texts(instructions),
+        _odd_ids(instructions, sites),
+        _label_notes(instructions, sites),
+        _odd_characters(instructions),
+    )
     bad = {problem.place for problem in unusable}
     return CheckReport(
         good=sum(
             instruction_place(instruction) not in bad for instruction in instructions
         ),
         errors=tuple(problems + unusable),
-        notes=(
-            *_repeated_texts(instructions),
-            *_odd_ids(instructions, sites),
-            *_label_notes(instructions, sites),
-            *_odd_characters(instructions),
-        ),
+        notes=tuple(notes),
     )
 
 
-def _damaged(instructions: Sequence[Instruction]) -> list[InstructionProblem]:
-    return [
-        InstructionProblem(instruction_place(each), f"field {field!r}: {message}")
-        for each in instructions
-        for field, text in _texts(each)
-        for message in text_damage(text)
-    ]
+def _damaged(instructions: Sequence[Instruction]) -> Findings:
+    for each in instructions:
+        for field, text in _texts(each):
+            for message in text_damage(text):
+                yield each, f"field {field!r}: {message}"
 
 
 def _texts(each: Instruction) -> list[tuple[str, str]]:
@@ -95,22 +100,19 @@ def _texts(each: Instruction) -> list[tuple[str, str]]:
     return texts
 
 
-def _odd_characters(instructions: Sequence[Instruction]) -> list[InstructionProblem]:
-    notes: list[InstructionProblem] = []
+def _odd_characters(instructions: Sequence[Instruction]) -> Findings:
     for each in instructions:
         hidden = invisible_characters(each.text)
         if hidden:
-            message = f"field 'text': invisible characters ({', '.join(hidden)})"
-            notes.append(InstructionProblem(instruction_place(each), message))
+            yield each, f"field 'text': invisible characters ({', '.join(hidden)})"
         letters = [character for character in each.text if character.isalpha()]
         foreign = sum(ord(character) > 0x24F for character in letters)
         if each.language.startswith("en") and foreign > FOREIGN_SHARE * len(letters):
-            message = (
+            yield (
+                each,
                 f"field 'language': {each.language!r}, but {foreign} of {len(letters)} "
-                "letters are not Latin"
+                "letters are not Latin",
             )
-            notes.append(InstructionProblem(instruction_place(each), message))
-    return notes
 
 
 def _normalised(text: str) -> str:
@@ -123,56 +125,43 @@ def _normalised(text: str) -> str:
     return _NO_WORD.sub(" ", plain).strip()
 
 
-def _double_counts(instructions: Iterable[Instruction]) -> list[InstructionProblem]:
-    """List instructions that another one repeats in everything but its id."""
+def _double_counts(instructions: Iterable[Instruction]) -> Findings:
+    """Yield instructions that another one repeats in everything but its id."""
     first: dict[tuple[object, ...], Instruction] = {}
-    problems: list[InstructionProblem] = []
     for each in instructions:
         earlier = first.setdefault((*_given(each), each.text), each)
         if earlier is not each and earlier.id != each.id:
-            problems.append(
-                InstructionProblem(
-                    instruction_place(each),
-                    f"expected a new instruction, got {each.id!r}, which is "
-                    f"{earlier.id!r} ({instruction_place(earlier)}) under another id; remove one",
-                )
+            yield (
+                each,
+                f"expected a new instruction, got {each.id!r}, which is "
+                f"{earlier.id!r} ({instruction_place(earlier)}) under another id; remove one",
             )
-    return problems
 
 
-def _repeated_texts(instructions: Iterable[Instruction]) -> list[InstructionProblem]:
-    """List texts that stand elsewhere too, word for word or but for punctuation.
+def _repeated_texts(instructions: Iterable[Instruction]) -> Findings:
+    """Yield texts that stand elsewhere too, word for word or but for punctuation.
 
     Short texts of different people can be the same by chance; long ones hardly.
     """
-    told = list(instructions)
     first: dict[str, Instruction] = {}
     cells: dict[tuple[object, ...], Instruction] = {}
-    notes: list[InstructionProblem] = []
-    for each in told:
+    for each in instructions:
         earlier = first.setdefault(_normalised(each.text), each)
         counted_twice = _given(earlier) == _given(each) and earlier.text == each.text
         if earlier is not each and not counted_twice and not _paired(earlier, each):
             alike = (
                 "the same text" if earlier.text == each.text else "nearly the same text"
             )
-            notes.append(
-                InstructionProblem(
-                    instruction_place(each),
-                    f"{each.id!r} has {alike} as {earlier.id!r} ({instruction_place(earlier)})",
-                )
-            )
+            place = instruction_place(earlier)
+            yield each, f"{each.id!r} has {alike} as {earlier.id!r} ({place})"
         other = cells.setdefault(_given(each), each)
         if other.text != each.text and not _paired(other, each):
-            notes.append(
-                InstructionProblem(
-                    instruction_place(each),
-                    f"{each.id!r} and {other.id!r} ({instruction_place(other)}) are both of "
-                    f"participant {each.participant!r} for {each.site} {each.route}, "
-                    f"iteration {each.iteration}",
-                )
+            yield (
+                each,
+                f"{each.id!r} and {other.id!r} ({instruction_place(other)}) are both of "
+                f"participant {each.participant!r} for {each.site} {each.route}, "
+                f"iteration {each.iteration}",
             )
-    return notes
 
 
 def _paired(one: Instruction, other: Instruction) -> bool:
@@ -186,44 +175,33 @@ def _given(each: Instruction) -> tuple[object, ...]:
 
 def _odd_ids(
     instructions: Iterable[Instruction], sites: Mapping[str, Site]
-) -> list[InstructionProblem]:
-    """List ids that name another site or route, or are hard to tell apart."""
-    notes: list[InstructionProblem] = []
+) -> Findings:
+    """Yield ids that name another site or route, or are hard to tell apart."""
     folded: dict[str, Instruction] = {}
     studies: dict[str, Instruction] = {}
     for each in instructions:
-        place = instruction_place(each)
         for field, got in (("id", each.id), ("participant", each.participant)):
             if got != got.strip() or not got.isprintable():
-                notes.append(
-                    InstructionProblem(
-                        place,
-                        f"field {field!r}: spaces at an end or control characters: {got!r}",
-                    )
+                yield (
+                    each,
+                    f"field {field!r}: spaces at an end or control characters: {got!r}",
                 )
-            notes += [
-                InstructionProblem(place, f"field {field!r}: {got!r} names {what}")
-                for what in _contradictions(each, got, sites)
-            ]
+            for what in _contradictions(each, got, sites):
+                yield each, f"field {field!r}: {got!r} names {what}"
         alike = folded.setdefault(each.id.casefold(), each)
         if alike.id != each.id:
-            notes.append(
-                InstructionProblem(
-                    place,
-                    f"field 'id': {each.id!r} and {alike.id!r} differ in capitals only; "
-                    "some disks take their traces for the same file",
-                )
+            yield (
+                each,
+                f"field 'id': {each.id!r} and {alike.id!r} differ in capitals only; "
+                "some disks take their traces for the same file",
             )
         before = studies.setdefault(each.participant, each)
         if before.study != each.study:
-            notes.append(
-                InstructionProblem(
-                    place,
-                    f"field 'participant': {each.participant!r} is in study "
-                    f"{each.study!r} here and {before.study!r} at {instruction_place(before)}",
-                )
+            yield (
+                each,
+                f"field 'participant': {each.participant!r} is in study "
+                f"{each.study!r} here and {before.study!r} at {instruction_place(before)}",
             )
-    return notes
 
 
 def _contradictions(
@@ -283,19 +261,15 @@ def _words(text: str) -> frozenset[str]:
 
 def _label_notes(
     instructions: Iterable[Instruction], sites: Mapping[str, Site]
-) -> list[InstructionProblem]:
-    """List labels that contradict the site or what the study was like."""
-    notes: list[InstructionProblem] = []
+) -> Findings:
+    """Yield labels that contradict the site or what the study was like."""
     names = {name: _PlaceNames(site) for name, site in sites.items()}
     for each in instructions:
         routes = sites[each.site].routes if each.site in sites else ()
         for route in routes:
             if route.id == each.reference_route:
-                notes += [
-                    InstructionProblem(instruction_place(each), message)
-                    for message in _notes(each, names[each.site], route)
-                ]
-    return notes
+                for message in _notes(each, names[each.site], route):
+                    yield each, message
 
 
 def _notes(each: Instruction, names: _PlaceNames, route: Route) -> Iterator[str]:

@@ -8,11 +8,12 @@ from memorymaze.errors import InstructionFileError, SettingsError, did_you_mean
 from memorymaze.input_files import refusal
 from memorymaze.instructions.files import (
     BUILTIN_CORPUS,
-    instruction_place,
+    Findings,
     load_instructions,
+    placed,
     repeated_ids,
 )
-from memorymaze.instructions.record_format import InstructionProblem, tidied
+from memorymaze.instructions.record_format import tidied
 from memorymaze.instructions.records import Corpus, Episode, Instruction
 from memorymaze.instructions.sail import is_sail_folder, sail_corpus
 from memorymaze.sites import Route, Site, load_sites
@@ -94,7 +95,7 @@ def episodes(
         InstructionFileError: A site or route does not exist, or an id repeats.
     """
     chosen = [_completed(each, number) for number, each in enumerate(instructions, 1)]
-    problems = repeated_ids(chosen) + site_problems(chosen, sites)
+    problems = placed(repeated_ids(chosen), site_problems(chosen, sites))
     if problems:
         raise refusal(problems, InstructionFileError)
     return [_episode(instruction, sites) for instruction in chosen]
@@ -110,14 +111,12 @@ def _completed(each: Instruction, number: int) -> Instruction:
 
 def site_problems(
     instructions: Iterable[Instruction], sites: Mapping[str, Site]
-) -> list[InstructionProblem]:
-    """List the instructions whose site or route does not exist."""
-    problems: list[InstructionProblem] = []
-    for instruction in instructions:
-        message = _misplaced(instruction, sites)
+) -> Findings:
+    """Yield the instructions whose site or route does not exist."""
+    for each in instructions:
+        message = _misplaced(each, sites)
         if message is not None:
-            problems.append(InstructionProblem(instruction_place(instruction), message))
-    return problems
+            yield each, message
 
 
 def _episode(instruction: Instruction, sites: Mapping[str, Site]) -> Episode:

@@ -5,7 +5,7 @@ that lists them.
 """
 
 import json
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
@@ -25,25 +25,35 @@ from memorymaze.instructions.spreadsheets import read_rows, spreadsheet_kind
 BUILTIN_CORPUS = Path(str(files("memorymaze.instructions") / "data/role_played.jsonl"))
 """The shipped corpus: 564 texts written by a language model (see its README)."""
 
+Findings = Iterator[tuple[Instruction, str]]
+"""What is wrong with instructions, or odd about them, one by one."""
+
 
 def instruction_place(instruction: Instruction) -> str:
     """Return where an instruction comes from: `file:line`, else its id."""
     return instruction.origin or f"instruction {instruction.id}"
 
 
-def repeated_ids(instructions: Iterable[Instruction]) -> list[InstructionProblem]:
-    """List the instructions whose id an earlier one has."""
+def placed(*found: Findings) -> list[InstructionProblem]:
+    """Return what was found, each with its place."""
+    return [
+        InstructionProblem(instruction_place(each), message)
+        for findings in found
+        for each, message in findings
+    ]
+
+
+def repeated_ids(instructions: Iterable[Instruction]) -> Findings:
+    """Yield the instructions whose id an earlier one has."""
     first: dict[str, Instruction] = {}
-    problems: list[InstructionProblem] = []
-    for instruction in instructions:
-        earlier = first.setdefault(instruction.id, instruction)
-        if earlier is not instruction:
-            message = (
-                f"field 'id': expected a new id, got {instruction.id!r}, which "
-                f"{instruction_place(earlier)} has"
+    for each in instructions:
+        earlier = first.setdefault(each.id, each)
+        if earlier is not each:
+            yield (
+                each,
+                f"field 'id': expected a new id, got {each.id!r}, which "
+                f"{instruction_place(earlier)} has",
             )
-            problems.append(InstructionProblem(instruction_place(instruction), message))
-    return problems
 
 
 def load_instructions(
@@ -72,7 +82,7 @@ def load_instructions(
         read, wrong = read_instruction_file(path)
         instructions += read
         problems += wrong
-    problems += repeated_ids(instructions)
+    problems += placed(repeated_ids(instructions))
     if problems:
         raise refusal(problems, InstructionFileError)
     return instructions
