@@ -8,7 +8,7 @@ from typing import ClassVar
 import numpy as np
 
 from memorymaze.agents.agent import Asking, FairLimits, Journal, Need
-from memorymaze.agents.navid.model_policy import ModelPolicy, PolicySession
+from memorymaze.agents.navid.model_policy import PolicySession, version
 from memorymaze.agents.navid.motions import (
     FIELD_OF_VIEW_DEG,
     HEIGHT,
@@ -54,7 +54,7 @@ class NavidAgent:
 
     def __init__(self, options: NavidOptions, model: LanguageModel) -> None:
         """Prepare to ask a model, which must see pictures where it is shown some."""
-        if options.pictures == "shown" and not takes_pictures(model):
+        if not options.is_blind and not takes_pictures(model):
             raise SettingsError(
                 f"--model {model.name}: models that run here see no pictures; name a "
                 "vision model on a server (--base-url), or leave pictures out with "
@@ -62,7 +62,7 @@ class NavidAgent:
             )
         self.options = options
         """What was set."""
-        self._policy = ModelPolicy(model, options)
+        self._model = model
 
     @property
     def name(self) -> str:
@@ -70,15 +70,15 @@ class NavidAgent:
         options = self.options
         given = f"+max_steps={options.max_steps}" if options.max_steps else ""
         return (
-            f"NaVid protocol with {self._policy.name}+{options.budget}{given}"
-            + "+faithful" * options.faithful
+            f"NaVid protocol with {self._model.name}{', blind' * options.is_blind}"
+            f"+{options.budget}{given}{'+faithful' * options.faithful}"
         )
 
     def asking(self, instruction: str, limits: FairLimits | None) -> Asking:
         """Tell with which prompt it asks, how often, and how far an answer gets it."""
         motions = self.options.motions
         return Asking(
-            self._policy.prompts,
+            {"act": version(self.options.prompt)},
             stride=(motions.most * motions.forward_m, motions.most * motions.turn_deg),
             most=self.options.step_limit(limits),
         )
@@ -104,7 +104,7 @@ class NavidAgent:
                 f"(memorymaze.robot.steps), got {type(robot).__name__}"
             )
         episode = str(rng.integers(2**31))
-        session = self._policy.begin(instruction)
+        session = PolicySession(self._model, self.options, instruction)
         limit = self.options.step_limit(journal.limits)
         _Walk(session, robot, journal, rng, self.options, limit, episode).run()
         robot.stop()

@@ -1,4 +1,4 @@
-"""A language model as a policy: shown pictures, or told its motions and nothing else.
+"""What a language model is asked: shown pictures, or told its motions and nothing else.
 
 Without pictures it is an ablation, and the only way for models that know text alone.
 """
@@ -43,27 +43,9 @@ def rules(prompt: str, motions: Motions) -> str:
     return load_prompt(prompt, forward=forward, turn=turn)
 
 
-class ModelPolicy:
-    """Asks a language model for each next motion."""
-
-    def __init__(self, model: LanguageModel, options: NavidOptions) -> None:
-        """Prepare to ask a model as the options say."""
-        self.model = model
-        self.options = options
-        self.is_blind = options.pictures == "none"
-        self.prompt = "navid_protocol" + "_blind" * self.is_blind
-        text = load_prompt(self.prompt, forward="", turn="")
-        self.prompts = {"act": prompt_version(text)}
-        """Version of the prompt, which answers in files are compared with."""
-
-    @property
-    def name(self) -> str:
-        """The model's name, and whether it sees nothing."""
-        return self.model.name + ", blind" * self.is_blind
-
-    def begin(self, instruction: str) -> "PolicySession":
-        """Begin an episode."""
-        return PolicySession(self, instruction)
+def version(prompt: str) -> str:
+    """Return the version of a prompt, which answers in files are compared with."""
+    return prompt_version(load_prompt(prompt, forward="", turn=""))
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,11 +62,14 @@ class _Past:
 class PolicySession:
     """One episode: remembers the way so far, and asks about the current place."""
 
-    def __init__(self, policy: ModelPolicy, instruction: str) -> None:
+    def __init__(
+        self, model: LanguageModel, options: NavidOptions, instruction: str
+    ) -> None:
         """Begin with a way of no steps."""
-        self._policy = policy
+        self._model = model
+        self._options = options
         self._instruction = instruction
-        self._motions = policy.options.motions
+        self._motions = options.motions
         self._past: list[_Past] = []
         self._asked = 0
 
@@ -93,8 +78,8 @@ class PolicySession:
         if self._past and frame.step <= self._past[-1].step:
             return
         small = None
-        if not self._policy.is_blind:
-            small = frame.jpeg(self._policy.options.history_width)
+        if not self._options.is_blind:
+            small = frame.jpeg(self._options.history_width)
         said = _caption(frame, self._motions)
         self._past.append(_Past(frame.step, frame.after, said, small))
 
@@ -105,8 +90,8 @@ class PolicySession:
         """
         self.observe(frame)
         self._asked += 1
-        policy = self._policy
-        told, pictures = self._blind(frame) if policy.is_blind else self._view(frame)
+        options = self._options
+        told, pictures = self._blind(frame) if options.is_blind else self._view(frame)
         lines = [
             "The way as it was described:",
             f'"""\n{self._instruction.strip()}\n"""',
@@ -118,22 +103,22 @@ class PolicySession:
                 f"Your last answer could not be used: {problem}. Answer with one JSON "
                 "object as described."
             )
-        return policy.model.complete(
+        return self._model.complete(
             CompletionRequest(
                 (
-                    Message("system", rules(policy.prompt, self._motions)),
+                    Message("system", rules(options.prompt, self._motions)),
                     Message("user", "\n".join(lines), pictures),
                 ),
-                temperature=policy.options.temperature,
-                max_tokens=policy.options.max_tokens,
+                temperature=options.temperature,
+                max_tokens=options.max_tokens,
                 grammar=navid_reply_grammar(self._motions),
-                question=ModelQuestion("act", policy.prompts["act"], self._asked),
+                question=ModelQuestion("act", version(options.prompt), self._asked),
             )
         )
 
     def _view(self, frame: Frame) -> tuple[list[str], tuple[Picture, ...]]:
         """Return captions and pictures of some of the way, and of this place."""
-        chosen = chosen_frames(len(self._past) - 1, self._policy.options.history)
+        chosen = chosen_frames(len(self._past) - 1, self._options.history)
         shown = [self._past[each] for each in chosen]
         told = [f"Picture {n}: {each.caption}" for n, each in enumerate(shown, 1)]
         now = _caption(frame, self._motions)

@@ -52,6 +52,16 @@ class NavidOptions:
         check_number("--set temperature", self.temperature, 0)
 
     @property
+    def is_blind(self) -> bool:
+        """Whether the model is shown no pictures."""
+        return self.pictures == "none"
+
+    @property
+    def prompt(self) -> str:
+        """Name of the prompt."""
+        return "navid_protocol" + "_blind" * self.is_blind
+
+    @property
     def motions(self) -> Motions:
         """The primitive motions."""
         return Motions(turn_deg=self.turn_deg)
