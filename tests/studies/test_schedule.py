@@ -37,7 +37,7 @@ def test_orders_of_some_of_the_routes_have_each_route_equally_often(
 
 def test_online_participants_tell_each_route_twice(make_study: MakeStudy) -> None:
     steps = steps_of(make_study().design, ("R2", "R1"))
-    assert [step.key for step in steps] == [
+    assert steps == [
         "comprehension",
         "familiarity",
         "scenario",
@@ -61,4 +61,4 @@ def test_memory_has_the_video_and_a_delay_before_the_telling(
 
 def test_followers_walk_one_text_of_each_route(make_study: MakeStudy) -> None:
     steps = steps_of(make_study("follow").design, ("R2", "R1"))
-    assert [step.key for step in steps][3:] == ["follow.R2", "attention.0", "follow.R1"]
+    assert steps[3:] == ["follow.R2", "attention.0", "follow.R1"]

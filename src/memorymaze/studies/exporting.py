@@ -14,9 +14,10 @@ from memorymaze.errors import SettingsError, StudyError
 from memorymaze.instructions.files import write_instructions
 from memorymaze.instructions.records import Instruction
 from memorymaze.studies.labels.labelling import Labelled, Labelling
+from memorymaze.studies.schedule import TELLINGS, StudyStep
 from memorymaze.studies.store import PageEvent, Participant, SentAnswer, Store
 from memorymaze.studies.study_file import Study
-from memorymaze.studies.tellings import TELLINGS, StudyTelling, StudyTellings
+from memorymaze.studies.tellings import StudyTelling, StudyTellings
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,7 +67,7 @@ def export_study(study: Study, store: Store, out: str | Path) -> Exported:
             "experimenter's page shows how far they are"
         )
     tellings = StudyTellings(store)
-    told: dict[str, dict[str, StudyTelling]] = {}
+    told: dict[str, dict[StudyStep, StudyTelling]] = {}
     for each in tellings.told():
         told.setdefault(each.participant, {})[each.step] = each
     written = [who for who in finished if all(x.text for x in told[who.id].values())]
@@ -106,16 +107,17 @@ def export_study(study: Study, store: Store, out: str | Path) -> Exported:
 
 def _tellings(
     store: Store,
-    told: dict[str, StudyTelling],
+    told: dict[StudyStep, StudyTelling],
     who: Participant,
-    answers: dict[str, SentAnswer],
+    answers: dict[StudyStep, SentAnswer],
 ) -> Iterator[_Telling]:
-    for place, route in enumerate(who.cell.split(", "), start=1):
+    for place, route in enumerate(who.order, start=1):
         for kind in TELLINGS:
-            step = f"{kind}.{route}"
+            step = StudyStep.of(kind, route)
             events = store.events(who.id, step)
             if kind == TELLINGS[0]:
-                events = [*store.events(who.id, f"watch.{route}"), *events]
+                watched = store.events(who.id, StudyStep.of("watch", route))
+                events = [*watched, *events]
             yield _Telling(place, told[step], answers[step], tuple(events))
 
 
@@ -130,13 +132,13 @@ def _labels(labels: Labelled, agreed: Consensus | None) -> dict[str, Any]:
 
 
 def _about(
-    study: Study, store: Store, who: Participant, answers: dict[str, SentAnswer]
+    study: Study, store: Store, who: Participant, answers: dict[StudyStep, SentAnswer]
 ) -> dict[str, Any]:
+    attention = study.design.attention
     failed = [
-        number
-        for number, check in enumerate(study.design.attention)
-        if f"attention.{number}" in answers
-        and answers[f"attention.{number}"].text != check.answer
+        step
+        for step, answer in answers.items()
+        if step.kind == "attention" and answer.text != attention[int(step.about)].answer
     ]
     wrong = store.events(who.id, "comprehension")
     return {
@@ -144,7 +146,7 @@ def _about(
         "familiarity": "; ".join(
             answer.text
             for step, answer in answers.items()
-            if step.partition(".")[0] == "familiarity"
+            if step.kind == "familiarity"
         ),
         "comprehension_attempts": 1 + sum(each.kind == "wrong" for each in wrong),
     }

@@ -7,7 +7,7 @@ have answered.
 import json
 import math
 import secrets
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from hashlib import sha256
 from typing import Any
@@ -22,7 +22,7 @@ from memorymaze.pages.web import Fields, posted, render
 from memorymaze.studies.films import Films
 from memorymaze.studies.follow.drives import Drives
 from memorymaze.studies.follow.pages import FollowPages
-from memorymaze.studies.schedule import StudyStep, steps_of
+from memorymaze.studies.schedule import TELLINGS, StudyStep, steps_of
 from memorymaze.studies.store import Participant, SentAnswer, Store, Taken
 from memorymaze.studies.study_file import ChoiceQuestion
 
@@ -45,12 +45,12 @@ WRONG = "wrong"
 class StudyPlace:
     """Where somebody is in a study."""
 
+    participant: Participant
     step: StudyStep | None
     """None where all is answered."""
     number: int
     count: int
-    answers: dict[str, SentAnswer]
-    """By step."""
+    answers: dict[StudyStep, SentAnswer]
 
 
 class ParticipantPages:
@@ -64,22 +64,9 @@ class ParticipantPages:
         self._design = store.study.design
         self._films = films
         self._cookie = cookie_name("participant", store)
-        self._takers: dict[
-            str, Callable[[Participant, StudyStep, Fields], Taken | str]
-        ] = {
-            "comprehension": self._take_comprehension,
-            "familiarity": self._take_familiarity,
-            "scenario": self._take_scenario,
-            "watch": self._take_watched,
-            "wait": self._take_waited,
-            "tell": self._take_text,
-            "retell": self._take_text,
-            "attention": self._take_attention,
-        }
         self._follow = None
         if drives is not None:
             self._follow = FollowPages(store, drives, self._at_work)
-            self._takers["follow"] = self._follow.take
 
     @property
     def routes(self) -> list[BaseRoute]:
@@ -149,15 +136,15 @@ class ParticipantPages:
     # The steps -------------------------------------------------------------------------
 
     def _steps(self, participant: Participant) -> list[StudyStep]:
-        return steps_of(self._design, tuple(participant.cell.split(", ")))
+        return steps_of(self._design, participant.order)
 
     def _current(self, participant: Participant) -> StudyPlace:
         answers = self._store.answers(participant.id)
         steps = self._steps(participant)
         for number, step in enumerate(steps, start=1):
-            if step.key not in answers:
-                return StudyPlace(step, number, len(steps), answers)
-        return StudyPlace(None, len(steps), len(steps), answers)
+            if step not in answers:
+                return StudyPlace(participant, step, number, len(steps), answers)
+        return StudyPlace(participant, None, len(steps), len(steps), answers)
 
     def _study(self, request: Request) -> Response:
         participant = self._participant(request)
@@ -169,13 +156,24 @@ class ParticipantPages:
         if participant.state == "complete" or place.step is None:
             return self._end(request, "complete", self._design.codes.complete)
         if not self._waits_for_film(place.step):
-            self._store.add_event(participant.id, place.step.key, "opened")
-        return self._page(request, participant, place.step, place)
+            self._store.add_event(participant.id, place.step, "opened")
+        return self._page(request, place.step, place)
+
+    def _questions(self, step: StudyStep) -> Sequence[ChoiceQuestion]:
+        """Return the questions of a step that has choices."""
+        match step.kind:
+            case "comprehension":
+                return self._design.comprehension.questions
+            case "familiarity":
+                return [self._design.familiarity]
+            case "attention":
+                return [self._design.attention[int(step.about)]]
+            case _:
+                return ()
 
     def _page(
         self,
         request: Request,
-        participant: Participant,
         step: StudyStep,
         place: StudyPlace,
         *,
@@ -183,39 +181,31 @@ class ParticipantPages:
         given: Fields | None = None,
     ) -> Response:
         """Show a step; again with what was given where there is a problem with it."""
-        store, design, given = self._store, self._design, given or {}
-        view: dict[str, Any] = {}
-        if step.kind == "comprehension":
-            view["questions"] = design.comprehension.questions
-        elif step.kind == "familiarity":
-            view["questions"] = [design.familiarity]
-        elif step.kind == "attention":
-            view["questions"] = [design.attention[step.number]]
-        elif step.kind == "wait":
+        store, participant, given = self._store, place.participant, given or {}
+        view: dict[str, Any] = {"questions": self._questions(step)}
+        template = "question.html" if view["questions"] else f"{step.kind}.html"
+        if step.kind == "wait":
             view["seconds_left"] = self._seconds_left(step, place.answers)
-        elif step.kind in {"tell", "retell"}:
-            view["text"] = given.get("text", store.draft(participant.id, step.key))
+        elif step.kind in TELLINGS:
+            template = "tell.html"
+            view["text"] = given.get("text", store.draft(participant.id, step))
             view["longest"] = LONGEST_TEXT
-            first = place.answers.get(f"tell.{step.route}")
+            first = place.answers.get(StudyStep.of("tell", step.route))
             view["first"] = "" if first is None else first.text
         elif step.kind == "follow" and self._follow is not None:
             view |= self._follow.view(participant, step)
         if step.route:
             view["destination"] = store.study.route(step.route).goal
-            ways = {"tell", "follow"}
-            told = [s.route for s in self._steps(participant) if s.kind in ways]
-            view["place"] = (told.index(step.route) + 1, len(told))
-            view["film"] = (
-                f"/film/{step.route}" if self._may_watch(step, step.route) else None
-            )
-        templates = {"retell": "tell.html", "familiarity": "question.html"}
-        templates |= dict.fromkeys(["comprehension", "attention"], "question.html")
+            number = participant.order.index(step.route) + 1
+            view["place"] = (number, len(participant.order))
+            watches = self._may_watch(step, step.route)
+            view["film"] = f"/film/{step.route}" if watches else None
         if self._films is not None and self._waits_for_film(step):
             view["film_state"] = self._films.state(step.route)
-            templates[step.kind] = "film_wait.html"
+            template = "film_wait.html"
         return self._show(
             request,
-            templates.get(step.kind, f"{step.kind}.html"),
+            template,
             200 if problem is None else 400,
             participant=participant,
             step=step,
@@ -234,17 +224,15 @@ class ParticipantPages:
         place = self._current(participant)
         step = place.step
         # A page sent twice, or from another window, is not the present one any more.
-        if participant.state != "active" or step is None or step.key != _key(request):
+        if participant.state != "active" or step is None or step != _key(request):
             return _to("/study")
-        taken = self._takers[step.kind](participant, step, fields)
+        taken = self._taken(participant, step, fields)
         if isinstance(taken, str):
-            return self._page(
-                request, participant, step, place, problem=taken, given=fields
-            )
+            return self._page(request, step, place, problem=taken, given=fields)
         state = "complete" if place.number == place.count else "active"
         self._store.add_answer(
             participant.id,
-            step.key,
+            step,
             taken.text,
             taken.shown,
             state="excluded" if taken.excluded else state,
@@ -252,16 +240,44 @@ class ParticipantPages:
         )
         return _to("/study")
 
-    def _take_scenario(
-        self, participant: Participant, step: StudyStep, fields: Fields
-    ) -> Taken | str:
-        return Taken("", shown=self._design.scenario)
+    def _taken(self, who: Participant, step: StudyStep, fields: Fields) -> Taken | str:
+        """Return what is kept of the form of a step, or what is wrong with it."""
+        match step.kind:
+            case "scenario":
+                return Taken("", shown=self._design.scenario)
+            case "watch":
+                events = self._store.events(who.id, step)
+                if any(event.kind == WATCHED for event in events):
+                    return Taken("")
+                return "Please watch the video to its end first; it will not come back."
+            case "wait":
+                if self._seconds_left(step, self._store.answers(who.id)) <= 0:
+                    return Taken("")
+                return "It is a little too early. This page says when to go on."
+            case "tell" | "retell":
+                return self._taken_text(who, step, fields.get("text", "").strip())
+            case "follow":
+                assert self._follow is not None
+                return self._follow.take(who, step, fields)
+            case _:
+                return self._taken_choices(who, step, fields)
 
-    def _take_comprehension(
-        self, participant: Participant, step: StudyStep, fields: Fields
+    def _taken_choices(
+        self, who: Participant, step: StudyStep, fields: Fields
+    ) -> Taken | str:
+        chosen = _chosen(self._questions(step), fields)
+        if step.kind == "comprehension":
+            return self._taken_comprehension(who, step, chosen)
+        if chosen is None:
+            return "Please choose an answer."
+        known = step.kind == "familiarity"
+        knows_it = known and chosen[0] in self._design.familiarity.excluded
+        return Taken(chosen[0], excluded="familiarity" if knows_it else "")
+
+    def _taken_comprehension(
+        self, who: Participant, step: StudyStep, chosen: list[str] | None
     ) -> Taken | str:
         check = self._design.comprehension
-        chosen = _chosen(check.questions, fields)
         if chosen is None:
             return "Please choose an answer to every question."
         wrong = [
@@ -269,59 +285,28 @@ class ParticipantPages:
         ]
         if not wrong:
             return Taken(json.dumps(chosen))
-        self._store.add_event(participant.id, step.key, WRONG, len(wrong))
-        events = self._store.events(participant.id, step.key)
+        self._store.add_event(who.id, step, WRONG, len(wrong))
+        events = self._store.events(who.id, step)
         if sum(event.kind == WRONG for event in events) < check.attempts:
             return (
                 "Not all answers were right. Please read once more what this is about."
             )
         return Taken(json.dumps(chosen), excluded="comprehension")
 
-    def _take_familiarity(
-        self, participant: Participant, step: StudyStep, fields: Fields
-    ) -> Taken | str:
-        asked = self._design.familiarity
-        chosen = _chosen([asked], fields)
-        if chosen is None:
-            return "Please choose an answer."
-        knows_it = chosen[0] in asked.excluded
-        return Taken(chosen[0], excluded="familiarity" if knows_it else "")
-
-    def _take_attention(
-        self, participant: Participant, step: StudyStep, fields: Fields
-    ) -> Taken | str:
-        chosen = _chosen([self._design.attention[step.number]], fields)
-        return "Please choose an answer." if chosen is None else Taken(chosen[0])
-
-    def _take_watched(
-        self, participant: Participant, step: StudyStep, fields: Fields
-    ) -> Taken | str:
-        events = self._store.events(participant.id, step.key)
-        if not any(event.kind == WATCHED for event in events):
-            return "Please watch the video to its end first; it will not come back."
-        return Taken("")
-
-    def _take_waited(
-        self, participant: Participant, step: StudyStep, fields: Fields
-    ) -> Taken | str:
-        if self._seconds_left(step, self._store.answers(participant.id)) > 0:
-            return "It is a little too early. This page says when to go on."
-        return Taken("")
-
-    def _seconds_left(self, step: StudyStep, answers: Mapping[str, SentAnswer]) -> int:
-        seen = answers[f"watch.{step.route}"].at
+    def _seconds_left(
+        self, step: StudyStep, answers: Mapping[StudyStep, SentAnswer]
+    ) -> int:
+        seen = answers[StudyStep.of("watch", step.route)].at
         delay = 60 * (self._design.delay_minutes or 0)
         return max(0, math.ceil(seen + delay - self._store.now()))
 
-    def _take_text(
-        self, participant: Participant, step: StudyStep, fields: Fields
-    ) -> Taken | str:
-        design, text = self._design, fields.get("text", "").strip()
+    def _taken_text(self, who: Participant, step: StudyStep, text: str) -> Taken | str:
+        design = self._design
         if word_count(text) >= design.least_words and len(text) <= LONGEST_TEXT:
             return Taken(
                 text, shown=design.task if step.kind == "tell" else design.robot
             )
-        self._store.keep_draft(participant.id, step.key, text[:LONGEST_TEXT])
+        self._store.keep_draft(who.id, step, text[:LONGEST_TEXT])
         if len(text) > LONGEST_TEXT:
             return f"Please use at most {LONGEST_TEXT:,} characters."
         return (
@@ -333,12 +318,12 @@ class ParticipantPages:
 
     def _draft(self, request: Request, fields: Fields) -> Response:
         participant, step = self._at_work(request)
-        if step.kind not in {"tell", "retell"}:
+        if step.kind not in TELLINGS:
             raise HTTPException(404)
         text = fields.get("text", "")
         if len(text) > LONGEST_TEXT:
             raise HTTPException(413, f"Please use at most {LONGEST_TEXT:,} characters.")
-        self._store.keep_draft(participant.id, step.key, text)
+        self._store.keep_draft(participant.id, step, text)
         # A script wants no page; who pressed the button does.
         return Response(status_code=204) if "quiet" in fields else _to("/study?saved")
 
@@ -350,7 +335,7 @@ class ParticipantPages:
             value = math.nan
         if fields.get("kind") not in EVENTS or not 0 <= value < math.inf:
             raise HTTPException(400, "There is no such event.")
-        if not self._store.add_event(participant.id, step.key, fields["kind"], value):
+        if not self._store.add_event(participant.id, step, fields["kind"], value):
             raise HTTPException(429, "There are too many events already.")
         return Response(status_code=204)
 
@@ -358,10 +343,10 @@ class ParticipantPages:
         participant = self._participant(request)
         if participant is None:
             raise HTTPException(403, "Nobody takes part in this browser.")
-        for step in self._steps(participant):
-            if step.key == _key(request):
-                return participant, step
-        raise HTTPException(404)
+        step = StudyStep(_key(request))
+        if step not in self._steps(participant):
+            raise HTTPException(404)
+        return participant, step
 
     def _film(self, request: Request) -> Response:
         films, route = self._watched(request)
@@ -404,7 +389,7 @@ class ParticipantPages:
 
     def _may_watch(self, step: StudyStep, route: str) -> bool:
         """Return whether a video is there: from memory, it is gone while one describes."""
-        kinds = {"watch"} if self._design.kind == "memory" else {"tell", "retell"}
+        kinds = ("watch",) if self._design.kind == "memory" else TELLINGS
         return step.kind in kinds and step.route == route
 
     # Leaving ---------------------------------------------------------------------------

@@ -1,7 +1,6 @@
 """Who does what in which order: orders of routes, and the steps of a participant."""
 
-from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, cast
 
 from memorymaze.studies.study_file import StudyDesign
 
@@ -17,22 +16,37 @@ StepKind = Literal[
     "attention",
 ]
 
+TELLINGS = ("tell", "retell")
+"""Kinds of the first and the second description of a route."""
 
-@dataclass(frozen=True, slots=True)
-class StudyStep:
-    """One page that a participant answers."""
 
-    kind: StepKind
-    route: str = ""
-    """Which it is about; empty where it is about none."""
-    number: int = 0
-    """Of the attention check, from 0."""
+class StudyStep(str):
+    """One page that a participant answers: `scenario`, `tell.R1`, `attention.0`.
+
+    It is what its answer is kept under.
+    """
+
+    __slots__ = ()
+
+    @classmethod
+    def of(cls, kind: str, about: str | int = "") -> "StudyStep":
+        """Return the step of a kind about a route, or an attention check's number."""
+        return cls(f"{kind}.{about}".rstrip("."))
 
     @property
-    def key(self) -> str:
-        """What its answer is kept under; parts joined by dots."""
-        about = self.route or (str(self.number) if self.kind == "attention" else "")
-        return f"{self.kind}.{about}".rstrip(".")
+    def kind(self) -> StepKind:
+        """What is done on it."""
+        return cast(StepKind, self.partition(".")[0])
+
+    @property
+    def about(self) -> str:
+        """The route, or the number of the attention check from 0; empty for neither."""
+        return self.partition(".")[2]
+
+    @property
+    def route(self) -> str:
+        """The route it is about; empty where it is about none."""
+        return "" if self.kind == "attention" else self.about
 
 
 def route_orders(design: StudyDesign) -> list[tuple[str, ...]]:
@@ -63,24 +77,18 @@ def steps_of(design: StudyDesign, order: tuple[str, ...]) -> list[StudyStep]:
 
     Interviews (`onsite`) have steps of their own, which the tablet's script knows.
     """
-    steps = [
-        StudyStep("comprehension"),
-        StudyStep("familiarity"),
-        StudyStep("scenario"),
-    ]
+    steps = list(map(StudyStep, ("comprehension", "familiarity", "scenario")))
     if not design.comprehension.questions:
         del steps[0]
     for place, route in enumerate(order, start=1):
         if design.kind == "memory":
-            steps.append(StudyStep("watch", route))
+            steps.append(StudyStep.of("watch", route))
             if design.delay_minutes:
-                steps.append(StudyStep("wait", route))
-        if design.kind == "follow":
-            steps.append(StudyStep("follow", route))
-        else:
-            steps += [StudyStep("tell", route), StudyStep("retell", route)]
+                steps.append(StudyStep.of("wait", route))
+        kinds = ("follow",) if design.kind == "follow" else TELLINGS
+        steps += [StudyStep.of(kind, route) for kind in kinds]
         steps += [
-            StudyStep("attention", number=number)
+            StudyStep.of("attention", number)
             for number, check in enumerate(design.attention)
             if check.after_route == place
         ]

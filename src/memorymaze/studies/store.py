@@ -17,7 +17,7 @@ from typing import Any, Literal, NamedTuple, cast
 
 from memorymaze.errors import StudyError
 from memorymaze.studies.answer_file import answer_file, empty_log
-from memorymaze.studies.schedule import cell_name, route_orders
+from memorymaze.studies.schedule import StudyStep, cell_name, route_orders
 from memorymaze.studies.study_file import Study
 
 RECORDINGS = "recordings"
@@ -42,6 +42,11 @@ class Participant:
     """Seconds since 1970, as all times here."""
     seen: float
     ended: float | None
+
+    @property
+    def order(self) -> tuple[str, ...]:
+        """The routes of the cell, in order."""
+        return tuple(self.cell.split(", "))
 
 
 @dataclass(frozen=True, slots=True)
@@ -225,13 +230,14 @@ class Store:
             self._touch(rows, participant)
         return bool(added)
 
-    def answers(self, participant: str) -> dict[str, SentAnswer]:
+    def answers(self, participant: str) -> dict[StudyStep, SentAnswer]:
         """Return somebody's answers by step, in the order they came."""
         query = (
             "SELECT step, text, shown, at FROM answers WHERE participant = ? "
             "ORDER BY rowid"
         )
-        return {row[0]: SentAnswer(*row[1:]) for row in self.rows(query, participant)}
+        rows = self.rows(query, participant)
+        return {StudyStep(step): SentAnswer(*answer) for step, *answer in rows}
 
     def keep_draft(self, participant: str, step: str, text: str) -> bool:
         """Keep an unfinished text; False where the step is answered already."""

@@ -4,10 +4,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from memorymaze.instructions.records import Instruction
+from memorymaze.studies.schedule import TELLINGS, StudyStep
 from memorymaze.studies.store import RECORDINGS, Store
-
-TELLINGS = ("tell", "retell")
-"""Steps of the first and the second description of a route."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +35,7 @@ class StudyTelling:
     """A description, as far as it is known."""
 
     participant: str
-    step: str
+    step: StudyStep
     """`tell.R1` or `retell.R1`."""
     recording: Recording | None
     versions: tuple[Transcript, ...]
@@ -58,7 +56,7 @@ class StudyTelling:
     @property
     def route(self) -> str:
         """The route it is about."""
-        return self.step.partition(".")[2]
+        return self.step.route
 
 
 class StudyTellings:
@@ -110,14 +108,14 @@ class StudyTellings:
                 by, is_heard, text, at = row
                 versions[who, step].append(Transcript(by, bool(is_heard), text, at))
         return [
-            StudyTelling(*key, recordings.get(key), tuple(some))
-            for key, some in versions.items()
+            StudyTelling(who, StudyStep(step), recordings.get((who, step)), tuple(some))
+            for (who, step), some in versions.items()
         ]
 
     def instruction(self, told: StudyTelling) -> Instruction:
         """Return a description as a corpus has it."""
         study = self._store.study
-        iteration = 1 if told.step.startswith(f"{TELLINGS[0]}.") else 2
+        iteration = 1 if told.step.kind == TELLINGS[0] else 2
         is_corrected = told.first_text != told.text
         return Instruction(
             id=f"{told.participant}-{told.route.lower()}-{iteration}",

@@ -21,6 +21,7 @@ from memorymaze.studies.follow.drives import (
 from memorymaze.studies.follow.runs import export_walks
 from memorymaze.studies.follow.texts import texts_to_follow
 from memorymaze.studies.follow.walk import Said
+from memorymaze.studies.schedule import StudyStep
 from memorymaze.studies.store import Participant, Store, open_store
 from memorymaze.studies.study_file import Study
 
@@ -28,6 +29,7 @@ MakeStudy = Callable[..., Study]
 
 LEFT_AT_THE_T = ["forward"] * 20 + ["left"] * 3 + ["forward"] * 18
 """To the goal of R1."""
+STEP = StudyStep.of("follow", "R1")
 SURE = Said(arrived=True, confidence=0.75)
 
 
@@ -58,13 +60,13 @@ def somebody(store: Store, name: str = "one") -> Participant:
 
 def drive_to_the_goal(drives: Drives, who: Participant) -> None:
     for number, command in enumerate(LEFT_AT_THE_T):
-        drives.drive(who, "follow.R1", number, command)
+        drives.drive(who, STEP, number, command)
 
 
 def finish(store: Store, drives: Drives, who: Participant, said: Said) -> None:
     """End a walk as the page does."""
-    taken = drives.ending(who, "follow.R1", said)
-    store.add_answer(who.id, "follow.R1", taken.text, taken.shown)
+    taken = drives.ending(who, STEP, said)
+    store.add_answer(who.id, STEP, taken.text, taken.shown)
 
 
 def test_somebody_arrives_and_is_scored_in_a_run_that_tables_read(
@@ -90,7 +92,7 @@ def test_somebody_arrives_and_is_scored_in_a_run_that_tables_read(
     assert result.confidence == 0.75
     assert result.api_calls == len(LEFT_AT_THE_T)
     [told] = read_instructions(out)
-    assert told.text == drives.text_for(who, "follow.R1").instruction.text
+    assert told.text == drives.text_for(who, STEP).instruction.text
     assert load_episode(out, result.episode_id).story.walk.length > 10
     for verb in ("table", "compare"):
         folders = [out] if verb == "table" else [out, out]
@@ -109,11 +111,11 @@ def test_a_walk_goes_on_in_another_process_where_it_was_broken_off(
     for commands in (LEFT_AT_THE_T[:10], LEFT_AT_THE_T[10:]):
         # The second server finds the walk as the first one left it.
         with Drives(store, texts, draws=False) as drives:
-            before = drives.see(who, "follow.R1")["done"]
+            before = drives.see(who, STEP)["done"]
             for number, command in enumerate(commands, start=before):
-                told = drives.drive(who, "follow.R1", number, command)
+                told = drives.drive(who, STEP, number, command)
             assert told["done"] == before + len(commands)
-            drives.see(who, "follow.R1")
+            drives.see(who, STEP)
     finish(store, drives, who, SURE)
     export_walks(study, store, tmp_path / "people")
     _, [result] = read_run(tmp_path / "people")
@@ -123,20 +125,20 @@ def test_a_walk_goes_on_in_another_process_where_it_was_broken_off(
 def test_a_command_sent_twice_counts_once(store: Store, drives: Drives) -> None:
     who = somebody(store)
     for _ in range(3):
-        told = drives.drive(who, "follow.R1", 0, "forward")
+        told = drives.drive(who, STEP, 0, "forward")
         assert told["done"] == 1
-    assert commands_of(store, who.id, "follow.R1") == ["forward"]
+    assert commands_of(store, who.id, STEP) == ["forward"]
     with pytest.raises(WalkElsewhere):
-        drives.drive(who, "follow.R1", 5, "forward")
+        drives.drive(who, STEP, 5, "forward")
     with pytest.raises(StudyError, match="expected one of forward"):
-        drives.drive(who, "follow.R1", 1, "teleport")
+        drives.drive(who, STEP, 1, "teleport")
 
 
 def test_a_wall_is_told_and_a_robot_that_is_stuck_ends_the_walk(
     study: Study, store: Store, drives: Drives, tmp_path: Path
 ) -> None:
     who = somebody(store)
-    last = f"follow.{who.cell.split(', ')[-1]}"
+    last = StudyStep.of("follow", who.order[-1])
     told: dict[str, Any] = {"over": False}
     number, answers = 0, set[str]()
     while not told["over"]:
@@ -161,10 +163,10 @@ def test_texts_that_fewest_have_followed_come_first_and_second_walks_are_apart(
 ) -> None:
     texts = texts_to_follow(study).of_route("R1")
     people = [somebody(store, str(number)) for number in range(len(texts) + 1)]
-    told = [drives.text_for(who, "follow.R1").id for who in people]
+    told = [drives.text_for(who, STEP).id for who in people]
     assert sorted(told[:-1]) == sorted(each.id for each in texts)
     assert told[-1] == told[0]
-    assert drives.text_for(people[0], "follow.R1").id == told[0], "stays the same"
+    assert drives.text_for(people[0], STEP).id == told[0], "stays the same"
     for who in people:
         finish(store, drives, who, Said(arrived=False, confidence=0.0))
     done = export_walks(study, store, tmp_path / "people")
@@ -180,7 +182,7 @@ def test_walks_that_nobody_ended_are_not_exported_and_withdrawal_removes_them(
     study: Study, store: Store, drives: Drives, tmp_path: Path
 ) -> None:
     who, other = somebody(store), somebody(store, "other")
-    drives.drive(who, "follow.R1", 0, "forward")
+    drives.drive(who, STEP, 0, "forward")
     with pytest.raises(StudyError, match="expected walks that were ended"):
         export_walks(study, store, tmp_path / "people")
     finish(store, drives, other, SURE)
@@ -211,9 +213,9 @@ def test_texts_that_changed_since_they_were_followed_are_refused(
     with open_store(study) as store:
         who = somebody(store)
         with Drives(store, texts_to_follow(study), draws=False) as drives:
-            drives.see(who, "follow.R1")
+            drives.see(who, STEP)
             finish(store, drives, who, SURE)
-        followed = drives.text_for(who, "follow.R1")
+        followed = drives.text_for(who, STEP)
         words = followed.instruction.text
         texts.write_text(told.replace(words, "Go elsewhere."), encoding="utf-8")
         with pytest.raises(StudyError, match="got other words"):
@@ -230,10 +232,10 @@ def test_a_walk_that_would_end_elsewhere_now_is_refused(
     study: Study, store: Store, drives: Drives, tmp_path: Path
 ) -> None:
     who = somebody(store)
-    drives.drive(who, "follow.R1", 0, "forward")
-    taken = drives.ending(who, "follow.R1", SURE)
+    drives.drive(who, STEP, 0, "forward")
+    taken = drives.ending(who, STEP, SURE)
     driven = json.loads(taken.text) | {"place": [5.0, 5.0]}
-    store.add_answer(who.id, "follow.R1", json.dumps(driven), taken.shown)
+    store.add_answer(who.id, STEP, json.dumps(driven), taken.shown)
     with pytest.raises(StudyError, match="where its driver saw it end"):
         export_walks(study, store, tmp_path / "people")
 
@@ -245,10 +247,10 @@ def test_who_comes_when_all_robots_are_driven_waits_until_one_rests(
     texts = texts_to_follow(study)
     first, second = somebody(store), somebody(store, "second")
     with Drives(store, texts, most=1, draws=False, clock=lambda: now[0]) as drives:
-        drives.drive(first, "follow.R1", 0, "forward")
+        drives.drive(first, STEP, 0, "forward")
         with pytest.raises(NoRobotNow, match="Please wait"):
-            drives.see(second, "follow.R1")
+            drives.see(second, STEP)
         now[0] += STILL_THERE + 1
-        assert drives.see(second, "follow.R1")["done"] == 0
+        assert drives.see(second, STEP)["done"] == 0
         now[0] += STILL_THERE + 1
-        assert drives.see(first, "follow.R1")["done"] == 1, "goes on where it was"
+        assert drives.see(first, STEP)["done"] == 1, "goes on where it was"

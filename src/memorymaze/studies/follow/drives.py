@@ -24,7 +24,7 @@ from memorymaze.studies.follow.walk import (
     Said,
     SeenOnWalk,
 )
-from memorymaze.studies.schedule import steps_of
+from memorymaze.studies.schedule import StudyStep, steps_of
 from memorymaze.studies.store import Participant, SentAnswer, Store, Taken
 
 MOST = 6
@@ -126,7 +126,7 @@ class Drives:
         """Prepare processes; StudyError says that a text is gone that is followed."""
         for who in self._store.participants():
             for route in self._store.study.design.routes:
-                known = _text_of(self._store, who.id, f"follow.{route.route}")
+                known = _text_of(self._store, who.id, _step(route.route))
                 if known is not None:
                     self._texts.episode(known)
         prepare_processes("memorymaze.studies.follow.walk")
@@ -137,7 +137,7 @@ class Drives:
         for walk in list(self._lives):
             self._put_away(walk)
 
-    def text_for(self, who: Participant, step: str) -> Episode:
+    def text_for(self, who: Participant, step: StudyStep) -> Episode:
         """Return the text that somebody follows: at first one that fewest have followed."""
         with self._lock:
             known = _text_of(self._store, who.id, step)
@@ -151,12 +151,13 @@ class Drives:
                 or other.seen > free_since
                 or step in self._store.answers(other.id)
             )
-            route = step.partition(".")[2]
-            choice = min(self._texts.of_route(route), key=lambda each: taken[each.id])
+            choice = min(
+                self._texts.of_route(step.route), key=lambda each: taken[each.id]
+            )
             self._store.add_event(who.id, step, TEXT + choice.id)
             return choice
 
-    def see(self, who: Participant, step: str) -> dict[str, Any]:
+    def see(self, who: Participant, step: StudyStep) -> dict[str, Any]:
         """Return what the robot's camera sees, with the robot set up where it is not."""
         with self._walks[who.id, step]:
             if step in self._store.answers(who.id):
@@ -166,7 +167,7 @@ class Drives:
             return self._shown(who, step, live.wait(len(commands)), last=True)
 
     def drive(
-        self, who: Participant, step: str, number: int, command: str
+        self, who: Participant, step: StudyStep, number: int, command: str
     ) -> dict[str, Any]:
         """Give the robot its command of a number, from 0; one that it had counts once."""
         if command not in COMMANDS:
@@ -189,7 +190,7 @@ class Drives:
             again = number + 1 < len(commands)
             return self._shown(who, step, live.wait(len(commands)), last=again)
 
-    def ending(self, who: Participant, step: str, said: Said | None) -> Taken:
+    def ending(self, who: Participant, step: StudyStep, said: Said | None) -> Taken:
         """Return what is kept of a walk that ends, and put its robot away."""
         episode = self.text_for(who, step)
         live = self._lives.get((who.id, step))
@@ -203,16 +204,15 @@ class Drives:
         self._put_away((who.id, step))
         return Taken(json.dumps(answer), shown=episode.instruction.text)
 
-    def _keep_as_over(self, who: Participant, step: str) -> None:
+    def _keep_as_over(self, who: Participant, step: StudyStep) -> None:
         """Keep a walk that the robot's budget ended: nobody has to say so."""
         taken = self.ending(who, step, None)
-        order = tuple(who.cell.split(", "))
-        is_last = steps_of(self._store.study.design, order)[-1].key == step
+        is_last = steps_of(self._store.study.design, who.order)[-1] == step
         state = "complete" if is_last else "active"
         self._store.add_answer(who.id, step, taken.text, taken.shown, state=state)
 
     def _shown(
-        self, who: Participant, step: str, seen: SeenOnWalk | None, *, last: bool
+        self, who: Participant, step: StudyStep, seen: SeenOnWalk | None, *, last: bool
     ) -> dict[str, Any]:
         if seen is None:
             self._keep_as_over(who, step)
@@ -226,7 +226,7 @@ class Drives:
             "frames": [b64encode(each).decode() for each in frames],
         }
 
-    def _live(self, who: Participant, step: str, commands: list[str]) -> _Live:
+    def _live(self, who: Participant, step: StudyStep, commands: list[str]) -> _Live:
         """Return the robot of a walk, set up anew where there is none."""
         walk = (who.id, step)
         with self._lock:
@@ -266,7 +266,7 @@ class Drives:
 _OVER: dict[str, Any] = {"over": True}
 
 
-def commands_of(store: Store, who: str, step: str) -> list[str]:
+def commands_of(store: Store, who: str, step: StudyStep) -> list[str]:
     """Return the commands of a walk, in order."""
     events = store.events(who, step)
     return [e.kind.removeprefix(DRIVE) for e in events if e.kind.startswith(DRIVE)]
@@ -277,13 +277,13 @@ def finished_walks(store: Store, routes: list[str]) -> list[tuple[str, Walked]]:
     walks: list[tuple[str, Walked]] = []
     for who in store.participants():
         answers = store.answers(who.id)
-        for step in (f"follow.{route}" for route in routes):
+        for step in map(_step, routes):
             if who.state != "excluded" and step in answers:
                 walks.append((who.id, _walked(store, who.id, step, answers[step])))
     return sorted(walks, key=lambda each: each[1].at)
 
 
-def _walked(store: Store, who: str, step: str, answer: SentAnswer) -> Walked:
+def _walked(store: Store, who: str, step: StudyStep, answer: SentAnswer) -> Walked:
     kept = json.loads(answer.text)
     said = None if kept["said"] is None else Said(**kept["said"])
     commands = commands_of(store, who, step)[: kept["commands"]]
@@ -295,6 +295,10 @@ def _walked(store: Store, who: str, step: str, answer: SentAnswer) -> Walked:
     )
 
 
-def _text_of(store: Store, who: str, step: str) -> str | None:
+def _step(route: str) -> StudyStep:
+    return StudyStep.of("follow", route)
+
+
+def _text_of(store: Store, who: str, step: StudyStep) -> str | None:
     kinds = (each.kind for each in store.events(who, step))
     return next((k.removeprefix(TEXT) for k in kinds if k.startswith(TEXT)), None)

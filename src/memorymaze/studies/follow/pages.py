@@ -49,7 +49,7 @@ class FollowPages:
 
     def view(self, who: Participant, step: StudyStep) -> dict[str, Any]:
         """Return what the page shows besides what every page does."""
-        told = self._drives.text_for(who, step.key).instruction
+        told = self._drives.text_for(who, step).instruction
         follow = self._store.study.design.follow
         return {
             "told": told,
@@ -63,9 +63,7 @@ class FollowPages:
         said, sure = fields.get("said"), fields.get("sure")
         if said not in dict(SAID) or sure not in dict(SURE):
             return "Please say whether you are there, and how sure you are of it."
-        return self._drives.ending(
-            who, step.key, Said(said == "arrived", int(sure) / 100)
-        )
+        return self._drives.ending(who, step, Said(said == "arrived", int(sure) / 100))
 
     def _see(self, request: Request) -> Response:
         return self._answered(lambda: self._drives.see(*self._walk(request)))
@@ -79,11 +77,11 @@ class FollowPages:
             lambda: self._drives.drive(*self._walk(request), int(number), command)
         )
 
-    def _walk(self, request: Request) -> tuple[Participant, str]:
+    def _walk(self, request: Request) -> tuple[Participant, StudyStep]:
         who, step = self._at_work(request)
         if step.kind != "follow" or who.state != "active":
             raise HTTPException(404)
-        return who, step.key
+        return who, step
 
     def _answered(self, ask: Callable[[], dict[str, Any]]) -> Response:
         """Return what comes of a request, as the script reads it."""
