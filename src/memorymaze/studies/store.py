@@ -142,15 +142,22 @@ class Store:
             if cell is None:
                 return "full"
             name, now = f"p{secrets.token_hex(5)}", self.now()
-            rows.execute(
-                "INSERT INTO participants VALUES (?, ?, ?, ?, 'active', '', ?, ?, NULL)",
-                (name, _hidden(key), cell, self.study.sha256, now, now),
-            )
+            self.add_participant(name, _hidden(key), cell, now, now)
             rows.executemany(
                 "INSERT INTO platform_ids VALUES (?, ?, ?)",
                 [(name, *each) for each in (platform_ids or {}).items()],
             )
         return Participant(name, cell, "active", "", now, now, None)
+
+    def add_participant(
+        self, name: str, key: str, cell: str, started: float, seen: float
+    ) -> None:
+        """Take in somebody of an id and an order of routes, whoever has places."""
+        with self.writing() as rows:
+            rows.execute(
+                "INSERT INTO participants VALUES (?, ?, ?, ?, 'active', '', ?, ?, NULL)",
+                (name, key, cell, self.study.sha256, started, seen),
+            )
 
     def _emptiest_cell(self) -> str | None:
         progress = self.progress()
@@ -206,12 +213,14 @@ class Store:
         *,
         state: State = "active",
         reason: str = "",
+        at: float | None = None,
     ) -> bool:
         """Keep an answer for good; False where the step is answered already.
 
         `state` is what somebody is with this answer, and `reason` why they are excluded.
+        It was given `at` a time; None for now.
         """
-        now = self.now()
+        now = self.now() if at is None else at
         with self.writing() as rows:
             added = rows.execute(
                 "INSERT INTO answers VALUES (?, ?, ?, ?, ?) ON CONFLICT DO NOTHING",
@@ -227,7 +236,7 @@ class Store:
                 "DELETE FROM drafts WHERE participant = ? AND step = ?",
                 (participant, step),
             )
-            self._touch(rows, participant)
+            self.touch(participant, now)
         return bool(added)
 
     def answers(self, participant: str) -> dict[StudyStep, SentAnswer]:
@@ -248,7 +257,7 @@ class Store:
                 "(participant, step) DO UPDATE SET text = ?3, at = ?4",
                 (participant, step, text, self.now()),
             ).rowcount
-            self._touch(rows, participant)
+            self.touch(participant, self.now())
         return bool(kept)
 
     def draft(self, participant: str, step: str) -> str:
@@ -258,16 +267,22 @@ class Store:
         return rows[0][0] if rows else ""
 
     def add_event(
-        self, participant: str, step: str, kind: str, value: float = 0.0
+        self,
+        participant: str,
+        step: str,
+        kind: str,
+        value: float = 0.0,
+        at: float | None = None,
     ) -> bool:
         """Note what somebody did; False where there are too many events already."""
+        now = self.now() if at is None else at
         with self.writing() as rows:
             added = rows.execute(
                 "INSERT INTO events SELECT ?1, ?2, ?3, ?4, ?5 WHERE (SELECT count(*) "
                 "FROM events WHERE participant = ?1) < ?6",
-                (participant, step, kind, value, self.now(), MOST_EVENTS),
+                (participant, step, kind, value, now, MOST_EVENTS),
             ).rowcount
-            self._touch(rows, participant)
+            self.touch(participant, now)
         return bool(added)
 
     def events(self, participant: str, step: str | None = None) -> list[PageEvent]:
@@ -278,10 +293,13 @@ class Store:
         )
         return [PageEvent(*row) for row in self.rows(query, participant, step)]
 
-    def _touch(self, rows: sqlite3.Connection, participant: str) -> None:
-        rows.execute(
-            "UPDATE participants SET seen = ? WHERE id = ?", (self.now(), participant)
-        )
+    def touch(self, participant: str, at: float) -> None:
+        """Note that somebody was there at a time."""
+        with self.writing() as rows:
+            rows.execute(
+                "UPDATE participants SET seen = max(seen, ?) WHERE id = ?",
+                (at, participant),
+            )
 
     # What experimenters do -------------------------------------------------------------
 
@@ -368,8 +386,14 @@ class Store:
 
     @contextmanager
     def writing(self) -> Generator[sqlite3.Connection]:
-        """Begin and commit; what fails leaves nothing."""
+        """Begin and commit; what fails leaves nothing.
+
+        What writes inside of it is a part of it.
+        """
         with self._lock:
+            if self._connection.in_transaction:
+                yield self._connection
+                return
             self._connection.execute("BEGIN IMMEDIATE")
             try:
                 yield self._connection

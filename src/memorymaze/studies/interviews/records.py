@@ -64,23 +64,12 @@ class Interviews:
             raise StudyError(
                 f"expected an order of routes among {orders}, got {cell!r}"
             )
-        with self.store.writing() as rows:
-            taken = self._state_of(record)
-            if taken != "gone":
-                return taken
-            rows.execute(
-                "INSERT INTO participants VALUES (?, ?, ?, ?, 'active', '', ?, ?, NULL)",
-                (
-                    record.participant,
-                    record.id,
-                    cell,
-                    self.store.study.sha256,
-                    record.opened,
-                    record.at,
-                ),
-            )
-            self._add(rows, record, cell, shown)
-        return "kept"
+        with self.store.writing():
+            if self._state_of(record) == "gone":
+                self.store.add_participant(
+                    record.participant, record.id, cell, record.opened, record.at
+                )
+            return self.take(record, cell, shown)
 
     def take(
         self,
@@ -96,13 +85,12 @@ class Interviews:
         with self.store.writing() as rows:
             taken = self._state_of(record)
             if taken == "kept":
-                self._add(rows, record, text, shown)
-                if state != "active":
-                    rows.execute(
-                        "UPDATE participants SET state = ?, reason = ?, ended = ? "
-                        "WHERE id = ?",
-                        (state, reason, record.at, record.participant),
-                    )
+                who, step, at = record.participant, record.step, record.at
+                self._add_record(rows, record)
+                self.store.add_answer(
+                    who, step, text, shown, state=state, reason=reason, at=at
+                )
+                self.store.add_event(who, step, "opened", at=record.opened)
         return taken
 
     def take_recording(
@@ -153,25 +141,9 @@ class Interviews:
             return "taken"
         return "kept"
 
-    def _add(
-        self, rows: sqlite3.Connection, record: InterviewRecord, text: str, shown: str
-    ) -> None:
-        self._add_record(rows, record)
-        rows.execute(
-            "INSERT INTO answers VALUES (?, ?, ?, ?, ?)",
-            (record.participant, record.step, text, shown, record.at),
-        )
-        rows.execute(
-            "INSERT INTO events VALUES (?, ?, 'opened', 0, ?)",
-            (record.participant, record.step, record.opened),
-        )
-
     def _add_record(self, rows: sqlite3.Connection, record: InterviewRecord) -> None:
         rows.execute(
             "INSERT INTO records VALUES (?, ?, ?)",
             (record.id, record.participant, record.step),
         )
-        rows.execute(
-            "UPDATE participants SET seen = max(seen, ?) WHERE id = ?",
-            (record.at, record.participant),
-        )
+        self.store.touch(record.participant, record.at)
