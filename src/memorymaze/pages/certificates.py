@@ -7,7 +7,6 @@ whoever trusts it trusts these names and nothing else, for a year.
 
 import ipaddress
 import os
-import socket
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
@@ -23,7 +22,7 @@ from cryptography.x509.oid import ExtendedKeyUsageOID, NameOID
 
 from memorymaze.durable_files import write_whole
 from memorymaze.errors import SettingsError
-from memorymaze.pages.web import Certificate
+from memorymaze.pages.web import Certificate, own_address
 
 YEAR = timedelta(days=365)
 RENEWED = timedelta(days=7)
@@ -66,22 +65,13 @@ def _names(host: str) -> list[x509.GeneralName]:
     except ValueError:
         return [*local, *([x509.DNSName(host)] if host != "localhost" else [])]
     if address.is_unspecified:
+        own = own_address()
         raise SettingsError(
-            f"--tls: expected with --host the one address that the tablet goes to{_own()}, "
-            f"got {host}"
+            "--tls: expected with --host the one address that the tablet goes to"
+            f"{f', such as {own}' if own else ''}, got {host}"
         )
     name = x509.IPAddress(address)
     return local if name in local else [*local, name]
-
-
-def _own() -> str:
-    """Return this machine's address in the network, in words; empty where it has none."""
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
-        try:
-            probe.connect(("192.0.2.1", 9))  # nothing is sent
-        except OSError:
-            return ""
-        return f", such as {probe.getsockname()[0]}"
 
 
 def _serves(kept: Certificate, names: list[x509.GeneralName]) -> bool:

@@ -379,19 +379,18 @@ def _address(door: ServedApplication, listener: socket.socket) -> str:
     scheme = "http" if door.certificate is None else "https"
     host = door.host
     if host in {"0.0.0.0", "::"}:
-        host = _own_address(listener.family)
+        here = "127.0.0.1" if listener.family == socket.AF_INET else "::1"
+        host = own_address(listener.family) or here
     host = f"[{host}]" if ":" in host else host
     return f"{scheme}://{host}:{listener.getsockname()[1]}"
 
 
-def _own_address(family: int) -> str:
-    """Return by which address others in the network reach this machine."""
-    other, own = ("2001:db8::1", "::1")
-    if family == socket.AF_INET:
-        other, own = ("192.0.2.1", "127.0.0.1")
+def own_address(family: int = socket.AF_INET) -> str:
+    """Return by which address others in the network reach this machine; empty for none."""
+    other = "192.0.2.1" if family == socket.AF_INET else "2001:db8::1"
     with socket.socket(family, socket.SOCK_DGRAM) as asking:
         try:
             asking.connect((other, 9))  # sends nothing, only looks up the way
         except OSError:
-            return own
+            return ""
         return asking.getsockname()[0]

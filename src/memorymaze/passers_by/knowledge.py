@@ -8,9 +8,8 @@ from itertools import islice, pairwise
 from typing import Literal, NamedTuple
 
 import networkx as nx
-from shapely import LineString, Point, Polygon
+from shapely import LineString, Point
 from shapely.ops import nearest_points, substring
-from shapely.prepared import PreparedGeometry, prep
 
 from memorymaze.errors import SitePlanError
 from memorymaze.geometry.grid import FloorGrid
@@ -183,10 +182,6 @@ class FloorKnowledge:
         return TurningPointGraph(self.site)
 
     @cached_property
-    def _open(self) -> "PreparedGeometry[Polygon]":
-        return prep(self.site.walkable_floor.buffer(0.05))
-
-    @cached_property
     def _legs(self) -> dict[tuple[str, str], LineString]:
         """The shortest lines from one turning point to the next."""
         middles = {
@@ -213,7 +208,7 @@ class FloorKnowledge:
         legs |= {(HERE, name): line for name, line in self._joining(start)}
         legs |= {(name, THERE): line.reverse() for name, line in self._joining(stand)}
         direct = LineString([start, stand])
-        if self._open.covers(direct) or direct.length < 0.5:
+        if self._graph.floor.covers(direct) or direct.length < 0.5:
             legs[HERE, THERE] = direct
         elif along := self._along_a_leg(start, stand):
             legs[HERE, THERE] = along
@@ -241,7 +236,10 @@ class FloorKnowledge:
                 LineString([place, leg.interpolate(foot)])
                 for place, foot in zip((start, end), feet, strict=True)
             ]
-            if all(tie.length <= BESIDE_WAY and self._open.covers(tie) for tie in ties):
+            if all(
+                tie.length <= BESIDE_WAY and self._graph.floor.covers(tie)
+                for tie in ties
+            ):
                 between = substring(leg, feet[0], feet[1])
                 return _line([start, *map(_place, between.coords), end])
         return None
@@ -271,14 +269,14 @@ class FloorKnowledge:
                 continue
             at = leg.project(here)
             foot = leg.interpolate(at)
-            if leg.length - at < 0.05 or not self._open.covers(
+            if leg.length - at < 0.05 or not self._graph.floor.covers(
                 LineString([foot, here])
             ):
                 continue
             rest = substring(leg, at, leg.length)
             line = _line([spot, *map(_place, rest.coords)])
             straight = _line([spot, _place(leg.coords[-1])])
-            if self._open.covers(straight):
+            if self._graph.floor.covers(straight):
                 line = straight
             if end not in lines or line.length < lines[end].length:
                 lines[end] = line
@@ -290,7 +288,7 @@ class FloorKnowledge:
         yield from lines.items()
 
     def _leads_nowhere_else(self, name: str, line: LineString, start: Point) -> bool:
-        return self._open.covers(line) and not any(
+        return self._graph.floor.covers(line) and not any(
             other != name
             and point.polygon.intersection(line).length > 0.05
             and not point.polygon.covers(start)

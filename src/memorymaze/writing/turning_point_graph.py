@@ -160,10 +160,11 @@ class TurningPointGraph:
         sight = LineString([eye, spot])
         if sight.length <= OFF_THE_FLOOR:
             return True
-        return self._open.contains(substring(sight, 0.0, sight.length - OFF_THE_FLOOR))
+        return self.floor.contains(substring(sight, 0.0, sight.length - OFF_THE_FLOOR))
 
     @cached_property
-    def _open(self) -> "PreparedGeometry[Polygon]":
+    def floor(self) -> "PreparedGeometry[Polygon]":
+        """The walkable floor and a little more, ready to be looked at often."""
         return prep(self.site.walkable_floor.buffer(0.05))
 
     @cached_property

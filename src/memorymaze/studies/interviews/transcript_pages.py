@@ -42,7 +42,7 @@ class TranscriptPages:
         return self._experimenter.show(request, "transcripts.html", told=ordered)
 
     def _show(self, request: Request, fields: Fields) -> Response:
-        return self._page(request, told_at(request, self._tellings))
+        return self._page(request, self._told(request))
 
     def _page(
         self,
@@ -63,7 +63,7 @@ class TranscriptPages:
         )
 
     def _take(self, request: Request, fields: Fields) -> Response:
-        told = told_at(request, self._tellings)
+        told = self._told(request)
         text, name = fields.get("text", "").strip(), fields.get("name", "").strip()
         given = {"text": text, "name": name}
         if not name or len(name) > LONGEST_NAME:
@@ -79,11 +79,10 @@ class TranscriptPages:
             )
         return RedirectResponse("/transcripts", status_code=303)
 
-
-def told_at(request: Request, tellings: StudyTellings) -> StudyTelling:
-    """Return the description that an address is about."""
-    who, step = request.path_params["participant"], request.path_params["step"]
-    for told in tellings.told(who):
-        if told.step == step:
-            return told
-    raise HTTPException(404)
+    def _told(self, request: Request) -> StudyTelling:
+        """Return the description that an address is about."""
+        who, step = request.path_params["participant"], request.path_params["step"]
+        for told in self._tellings.told(who):
+            if told.step == step:
+                return told
+        raise HTTPException(404)

@@ -14,7 +14,6 @@ from memorymaze.studies.experimenter_pages import ExperimenterPages
 from memorymaze.studies.interviews.transcript_pages import (
     LONGEST_NAME,
     NAMELESS,
-    told_at,
 )
 from memorymaze.studies.labels.labelling import Given, Labelled, Labelling
 from memorymaze.studies.labels.marking import numbered_places, plan_view, read_marks
@@ -31,7 +30,6 @@ class LabelPages:
         """Take who guards the pages, the answers, and what is told."""
         self._experimenter = experimenter
         self._study = store.study
-        self._tellings = tellings
         self._labelling = Labelling(store, tellings)
         self._drawn = ""
 
@@ -85,8 +83,8 @@ class LabelPages:
         return self._page(request, {"name": query.get("name", ""), "settle": settles})
 
     def _page(self, request: Request, given: Fields, problem: str = "") -> Response:
-        told = told_at(request, self._tellings)
-        labelled = self._find(told.participant, told.step)
+        labelled = self._labelled(request)
+        told = labelled.told
         name = given.get("name", "").strip()
         shown = [*labelled.labels] if given.get("settle") else []
         own = next(
@@ -117,14 +115,16 @@ class LabelPages:
             longest_name=LONGEST_NAME,
         )
 
-    def _find(self, participant: str, step: str) -> Labelled:
+    def _labelled(self, request: Request) -> Labelled:
+        """Return the description that an address is about."""
+        wanted = request.path_params["participant"], request.path_params["step"]
         for each in self._labelling.labelled():
-            if (each.told.participant, each.told.step) == (participant, step):
+            if (each.told.participant, each.told.step) == wanted:
                 return each
         raise HTTPException(404)
 
     def _take(self, request: Request, fields: Fields) -> Response:
-        told = told_at(request, self._tellings)
+        told = self._labelled(request).told
         name = fields.get("name", "").strip()
         if not name or len(name) > LONGEST_NAME:
             return self._page(request, fields, NAMELESS)
