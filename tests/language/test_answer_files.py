@@ -20,19 +20,6 @@ STEP = {"instruction_id": "a", "stage": "step", "number": 2, "reply": "Go on."}
 SAID = {**BY_HAND, "model": "m", "prompt_tokens": 10, "latency_s": 1.5}
 
 
-@pytest.fixture
-def file(tmp_path: Path) -> Callable[..., Path]:
-    """Write records to a file."""
-
-    def write(*records: Any) -> Path:
-        path = tmp_path / "answers.jsonl"
-        lines = [r if isinstance(r, str) else json.dumps(r) for r in records]
-        path.write_text("\n".join(lines) + "\n", encoding="utf-8")
-        return path
-
-    return write
-
-
 def ask(path: Path, stage: str, number: int = 1, prompt: str = "v1") -> Any:
     """Ask about the instruction `a`."""
     request = CompletionRequest(

@@ -27,19 +27,6 @@ def reply(identifier: str = "a", text: str | None = "Yes.", **changes: Any) -> d
     )
 
 
-@pytest.fixture
-def file(tmp_path: Path) -> Callable[..., Path]:
-    """Write records to a file."""
-
-    def write(*records: Any, name: str = "replies.jsonl") -> Path:
-        path = tmp_path / name
-        lines = [r if isinstance(r, str) else json.dumps(r) for r in records]
-        path.write_text("\n".join(lines) + "\n", encoding="utf-8")
-        return path
-
-    return write
-
-
 def test_a_request_is_a_line_of_openais_batch_format() -> None:
     assert json.loads(request_line("id/1", "m", REQUEST)) == {
         "custom_id": "id/1",
@@ -79,7 +66,7 @@ def test_a_request_is_one_line_to_every_reader() -> None:
 def test_a_batch_services_reply_is_a_completion(file: Callable[..., Path]) -> None:
     found = read_replies([file(reply())])["a"]
     assert found.completion == Completion("Yes.", "m-1", Usage(7, 2), 0.0)
-    assert found.place.endswith("replies.jsonl:1")
+    assert found.place.endswith("answers.jsonl:1")
 
 
 def test_a_plain_reply_is_a_completion(file: Callable[..., Path]) -> None:
@@ -131,7 +118,7 @@ def test_an_answer_counts_before_failures(
     ("lines", "said"),
     [
         pytest.param(
-            ["{"], r"replies.jsonl:1: expected JSON, got a mistake", id="no json"
+            ["{"], r"answers.jsonl:1: expected JSON, got a mistake", id="no json"
         ),
         pytest.param(["[1]"], "expected one JSON record", id="list"),
         pytest.param(['{"id": 1}'], "with the `custom_id`", id="no id"),

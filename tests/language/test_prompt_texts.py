@@ -14,6 +14,7 @@ from memorymaze.robot.specification import api_specification
 from memorymaze.sites import load_sites
 from memorymaze.understanding.lengths import MINUTE, SECOND, STEP
 
+SLOTS = {"forward": "", "turn": ""}
 PARSING = load_prompt("parse_instruction", answer=load_prompt("answer_steps"))
 WRITING = load_prompt(
     "write_program",
@@ -136,7 +137,9 @@ def test_no_example_drives_away_before_it_has_looked(number: int, make_robot: Ca
 
 
 def test_no_words_of_the_benchmarks_buildings_are_in_the_prompts():
-    prompts = f"{PARSING}\n{WRITING.replace(api_specification(), '')}".lower()
+    seeing = (load_prompt(f"navid_protocol{kind}", **SLOTS) for kind in ("", "_blind"))
+    writing = WRITING.replace(api_specification(), "")
+    prompts = "\n".join([PARSING, writing, *seeing]).lower()
     names = {
         name.lower()
         for site in load_sites().values()

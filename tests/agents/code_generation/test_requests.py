@@ -11,11 +11,7 @@ from memorymaze.agents.code_generation import (
     CodeGenerationOptions,
     CodeGenerationRequests,
 )
-from memorymaze.language.answers import (
-    AboutInstruction,
-    RecordingModel,
-    ReplayingModel,
-)
+from memorymaze.language.answers import AboutInstruction, ReplayingModel
 from memorymaze.language.model import CompletionRequest
 from memorymaze.language.scripted_model import ScriptedLanguageModel
 
@@ -48,26 +44,6 @@ def test_answers_in_a_file_to_an_older_prompt_are_found(
 
     for request, stage in zip(requests(), OLDER, strict=True):
         assert model.complete(request).text == f"To {stage}."
-
-
-def test_answers_in_a_store_to_an_older_prompt_are_found(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    store = tmp_path / "answers.jsonl"
-    with monkeypatch.context() as before:
-        before.setattr(
-            "memorymaze.agents.code_generation.requests.api_specification",
-            lambda **_: "def move_forward(distance: float) -> MoveResult: ...",
-        )
-        (older,) = requests()[1:]
-    recording = RecordingModel(ScriptedLanguageModel(["Recorded."]), store)
-    AboutInstruction(recording, "a").complete(older)
-
-    (now,) = requests()[1:]
-    assert now != older
-    assert (
-        AboutInstruction(ReplayingModel(store), "a").complete(now).text == "Recorded."
-    )
 
 
 def test_two_tellings_are_quoted_one_by_one_and_told_to_be_two() -> None:

@@ -142,6 +142,7 @@ def test_an_unreadable_answer_is_asked_for_once_more_and_then_nothing_is_done(ro
     assert robot.calls == [("forward", 0.25)] * 3
     first, again = model.asked[:2]
     assert UNUSED not in first
+    assert len(model.requests[1].messages[1].pictures) == 1
     assert f"{UNUSED}: the reply has no command" in again
     assert [captions(asked)[-1] for asked in model.asked] == [
         *["at the start"] * 2,
@@ -159,7 +160,8 @@ def test_five_unreadable_decisions_in_a_row_are_a_model_error(robot):
         )
 
     assert robot.calls == [("forward", 0.25)] * 3
-    assert len(model.requests) == 2 + 1 + 10
+    # Each decision is a new question, so that recorded replies tell them apart.
+    assert len(set(model.asked)) == len(model.requests) == 2 + 1 + 10
     assert not robot.stopped
 
 

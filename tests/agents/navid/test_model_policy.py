@@ -1,7 +1,6 @@
 """A vision model is shown some of the way so far and asked for the next motion."""
 
 import io
-import re
 
 import numpy as np
 import pytest
@@ -14,11 +13,10 @@ from memorymaze.agents.navid import NavidAgent, NavidOptions
 from memorymaze.agents.navid.model_policy import (
     SAID_MOTIONS,
     chosen_frames,
-    rules,
 )
 from memorymaze.agents.navid.motions import Command, Motions
 from memorymaze.agents.navid.replies import navid_reply_grammar, read_navid_reply
-from memorymaze.errors import EpisodeOver, LanguageModelError
+from memorymaze.errors import EpisodeOver
 from memorymaze.language.model import CompletionRequest, Picture
 from memorymaze.language.scripted_model import ScriptedLanguageModel
 
@@ -82,10 +80,7 @@ def test_each_picture_is_named_by_its_step_and_what_was_done(robot):
         "Picture 1, the current one: at the start",
         "What is the next motion?",
     ]
-    assert question(model.requests[2]).splitlines()[4:9] == [
-        "Picture 1: at the start",
-        "Picture 2: step 1, after 25 cm forward",
-        "Picture 3: step 2, after 25 cm forward",
+    assert question(model.requests[2]).splitlines()[7:9] == [
         "Picture 4: step 3, after 25 cm forward",
         "Picture 5, the current one: step 4, after turning left by 30 degrees",
     ]
@@ -117,29 +112,6 @@ def test_servers_that_keep_to_a_grammar_can_answer_every_motion(motions):
             assert read_navid_reply(reply, motions) == Command(motion, count)
 
 
-def test_the_model_is_told_what_was_wrong_and_asked_once_more(robot):
-    model = ScriptedLanguageModel(["Onwards!", AHEAD, STOP])
-
-    journal = follow(model, robot)
-
-    assert len(robot.calls) == 3
-    assert "could not be used: the reply has no command" in question(model.requests[1])
-    assert sizes(model.requests[1]) == [(640, 480)]
-    assert journal.model_calls == 3
-
-
-def test_a_model_that_never_makes_sense_moves_nothing(robot):
-    model = ScriptedLanguageModel(lambda _: "As a language model I cannot see.")
-
-    with pytest.raises(LanguageModelError, match="scripted: 5 decisions in a row"):
-        follow(model, robot)
-
-    assert robot.calls == []
-    assert len(model.requests) == 10
-    # Each decision is a new question, so that recorded replies tell them apart.
-    assert len({question(request) for request in model.requests}) == 10
-
-
 def test_an_instruction_cannot_fill_slots_of_the_prompt(robot):
     model = ScriptedLanguageModel([STOP])
     with pytest.raises(EpisodeOver):
@@ -158,22 +130,6 @@ def test_chosen_pictures_are_spread_and_have_the_last(past: int, wanted: int) ->
         assert chosen[-1] == past - 1
         gaps = np.diff(chosen)
         assert gaps.size == 0 or gaps.max() - gaps.min() <= 1
-
-
-@pytest.mark.parametrize("prompt", ["navid_protocol", "navid_protocol_blind"])
-def test_no_words_of_the_benchmarks_buildings_are_in_the_prompts(prompt, builtin_sites):
-    text = rules(prompt, Motions()).lower()
-    names = {
-        thing.name.lower()
-        for site in builtin_sites.values()
-        for thing in (*site.rooms, *site.corridors, *site.areas, *site.landmarks)
-        if thing.name and len(thing.name) > 3
-    }
-
-    assert len(names) > 100
-    assert {name for name in names if re.search(rf"\b{re.escape(name)}\b", text)} == (
-        set()
-    )
 
 
 AHEAD = '{"reason": "Free", "action": "forward", "amount": 75}'
