@@ -55,15 +55,9 @@ def told() -> list[Instruction]:
         id="a-1",
         site="loop",
         route="R1",
-        study="online",
-        iteration=1,
         participant="a",
         text="Turn left, then stop.",
         reference_route="route_r1_reference",
-        failures=(),
-        source="human",
-        language="en",
-        split="test",
     )
     return [
         plain,

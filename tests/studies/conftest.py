@@ -95,6 +95,21 @@ def serve_study(film: Path) -> ServeStudy:
     return serve
 
 
+@pytest.fixture
+def served(
+    make_study: Callable[..., Study], serve_study: ServeStudy
+) -> Iterator[Served]:
+    """A study of the kind `online` that is served."""
+    with serve_study(make_study()) as served:
+        yield served
+
+
+@pytest.fixture
+def one(served: Served) -> "Visitor":
+    """Somebody who comes to it."""
+    return served.browse()
+
+
 class Visitor:
     """Somebody who reads pages and sends forms, without scripts."""
 
@@ -133,9 +148,9 @@ class Visitor:
         assert found, self.page
         return self.post(found[1], **fields)
 
-    def reach_first_way(self) -> None:
+    def reach_first_way(self, query: str = "") -> None:
         """Consent and answer what comes before the first way."""
-        self.consent()
+        self.consent(query)
         self.send(answer_0="1", answer_1="0")
         self.send(answer_0="0")
         self.send()

@@ -23,15 +23,9 @@ def said() -> Instruction:
         id="one",
         site="university",
         route="R1",
-        study="online",
-        iteration=1,
         participant="p",
         text=CERTAIN,
         reference_route="route_r1_reference",
-        failures=(),
-        source="human",
-        language="en",
-        split="test",
     )
 
 

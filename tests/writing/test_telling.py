@@ -89,30 +89,6 @@ def test_labels_begin_and_end_at_words_and_name_what_is_there(
                 assert not (after.isalnum() and words[-1:].isalnum()), made
 
 
-def test_a_wrong_side_is_labelled_in_both_texts(builtin_sites: dict[str, Site]) -> None:
-    for outline in _outlines(builtin_sites["university"], 3, "wrong_direction=1"):
-        wrong, right = write_texts(outline, paired=True)
-        said, meant = (
-            [
-                made.text[span.start : span.end].lower()
-                for span in made.spans
-                if span.kind == "wrong_direction"
-            ]
-            for made in (wrong, right)
-        )
-        assert len(said) == len(meant) == 1
-        assert {*said, *meant} == {"left", "right"}
-
-
-def test_a_missing_turn_has_a_label_of_no_width(builtin_sites: dict[str, Site]) -> None:
-    for outline in _outlines(builtin_sites["museum_5f"], 1, "missing_turn=1", count=1):
-        wrong, right = write_texts(outline, paired=True)
-        (gone,) = [span for span in wrong.spans if span.kind == "missing_turn"]
-        (kept,) = [span for span in right.spans if span.kind == "missing_turn"]
-        assert gone.start == gone.end
-        assert re.search(r"left|right", right.text[kept.start : kept.end].lower())
-
-
 def test_the_same_seed_writes_the_same_and_another_seed_others(
     t_site: Site,
 ) -> None:
