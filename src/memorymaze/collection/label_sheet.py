@@ -2,8 +2,9 @@
 
 import csv
 import io
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 from memorymaze.collection.labels import Label
 from memorymaze.collection.questions import (
@@ -48,14 +49,11 @@ def write_label_sheet(path: str | Path, questions: Sequence[LabelQuestion]) -> N
 
     UTF-8 with a byte order mark, as spreadsheets expect it.
     """
-    sheet = io.StringIO()
-    columns: tuple[str, ...] = (*GIVEN, *ASKED)
-    writer = csv.DictWriter(sheet, columns, restval="", lineterminator="\r\n")
-    writer.writeheader()
+    rows: list[dict[str, str]] = []
     for question in questions:
         told, site = question.instruction, question.site
         ways = site.ways(told.route)
-        row = {
+        rows.append({
             "instruction": told.id,
             "site": told.site,
             "route": told.route,
@@ -64,9 +62,8 @@ def write_label_sheet(path: str | Path, questions: Sequence[LabelQuestion]) -> N
             "written_by": WRITTEN_BY[told.source],
             "text": told.text,
             "ways": "\n".join(f"{way.id}: {way_in_words(site, way)}" for way in ways),
-        }
-        writer.writerow({name: guarded_cell(cell) for name, cell in row.items()})
-    write_file(path, sheet.getvalue().encode("utf-8-sig", "replace"))
+        })
+    write_file(path, guarded_sheet((*GIVEN, *ASKED), rows))
 
 
 def read_label_sheet(
@@ -168,8 +165,17 @@ def _failures(row: Mapping[str, str]) -> list[Failure]:
     return failures
 
 
-def guarded_cell(cell: str) -> str:
-    """Return a cell that no spreadsheet runs as a formula."""
+def guarded_sheet(columns: Sequence[str], rows: Iterable[Mapping[str, Any]]) -> bytes:
+    """Return a table for spreadsheets, as CSV; they must run no text as a formula."""
+    sheet = io.StringIO()
+    writer = csv.DictWriter(sheet, columns, restval="", lineterminator="\r\n")
+    writer.writeheader()
+    for row in rows:
+        writer.writerow({name: _guarded(str(cell)) for name, cell in row.items()})
+    return sheet.getvalue().encode("utf-8-sig", "replace")
+
+
+def _guarded(cell: str) -> str:
     return f"'{cell}" if cell.startswith((*FORMULA_STARTS, "'")) else cell
 
 

@@ -1,14 +1,12 @@
 """Answers as an instruction file, and as a table with what else was measured."""
 
-import csv
-import io
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from memorymaze.collection.consensus import Consensus, merged
-from memorymaze.collection.label_sheet import guarded_cell
+from memorymaze.collection.label_sheet import guarded_sheet
 from memorymaze.durable_files import write_whole
 from memorymaze.errors import SettingsError, StudyError
 from memorymaze.instructions.files import write_instructions
@@ -100,7 +98,7 @@ def export_study(study: Study, store: Store, out: str | Path) -> Exported:
     for path in (out, table):
         store.add_export(path, [each.id for each in written])
     write_instructions(out, instructions)
-    write_whole(table, _csv(rows))
+    write_whole(table, guarded_sheet(list(rows[0]), rows))
     unwritten = len(finished) - len(written)
     return Exported(len(instructions), len(written), table, unwritten, settled)
 
@@ -170,13 +168,3 @@ def _row(instruction: Instruction, telling: _Telling) -> dict[str, Any]:
         "video_watched_again": telling.count("again"),
         "video_ends": telling.count("ended"),
     }
-
-
-def _csv(rows: Sequence[dict[str, Any]]) -> bytes:
-    """Return a table for spreadsheets, which must run no text as a formula."""
-    content = io.StringIO()
-    writer = csv.DictWriter(content, list(rows[0]), lineterminator="\r\n")
-    writer.writeheader()
-    for row in rows:
-        writer.writerow({name: guarded_cell(str(cell)) for name, cell in row.items()})
-    return content.getvalue().encode("utf-8-sig")

@@ -13,7 +13,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from pydantic import (
     BaseModel,
-    ConfigDict,
     Field,
     FiniteFloat,
     TypeAdapter,
@@ -50,8 +49,6 @@ Paths = Mapping[tuple[str, ...], list[tuple[Site, Route]]]
 
 
 class _Item(BaseModel):
-    model_config = ConfigDict(extra="allow")
-
     path_id: int | str
     scan: str
     path: Annotated[list[str], Field(min_length=1)]

@@ -14,7 +14,7 @@ from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
-from pydantic import BaseModel, ConfigDict, Field, FiniteFloat, TypeAdapter
+from pydantic import BaseModel, Field, FiniteFloat, TypeAdapter
 
 from memorymaze.errors import InstructionFileError
 from memorymaze.geometry.polyline import length, point_at, points_at, project
@@ -49,14 +49,10 @@ _Position = Annotated[list[FiniteFloat], Field(min_length=3, max_length=3)]
 
 
 class _Text(BaseModel):
-    model_config = ConfigDict(extra="allow")
-
     instruction_text: str
 
 
 class _Episode(BaseModel):
-    model_config = ConfigDict(extra="allow")
-
     episode_id: int | str
     scene_id: str
     start_position: _Position
@@ -67,8 +63,6 @@ class _Episode(BaseModel):
 
 
 class _File(BaseModel):
-    model_config = ConfigDict(extra="allow")
-
     episodes: list[_Episode]
 
 

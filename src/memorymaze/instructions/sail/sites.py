@@ -13,6 +13,7 @@ from typing import Any
 from memorymaze.instructions.sail.records import Maze, MazeCell, MazeHall
 from memorymaze.sites import Site
 from memorymaze.sites.loading import sound_site
+from memorymaze.sites.plan_writing import Feature, feature
 from memorymaze.sites.reading import understand_plan
 
 EDGE = 4.0
@@ -49,7 +50,6 @@ THINGS: dict[str, tuple[str, str | None, tuple[float, float, float]]] = {
 _CORNER = 0.72
 """Metres from the middle of a node to its furniture, east and north."""
 _SHAPES = {1: "dead_end", 3: "t_junction", 4: "crossing"}
-_Feature = dict[str, Any]
 
 
 def site_name(maze: str) -> str:
@@ -103,7 +103,7 @@ class _Builder:
         """Return the middle of a node, metres; rows grow south, y grows north."""
         return (cell[0] - self._west) * EDGE, (self._south - cell[1]) * EDGE
 
-    def features(self) -> Iterator[_Feature]:
+    def features(self) -> Iterator[Feature]:
         for hall in self._maze.halls:
             yield self._corridor(hall)
             yield from self._looks(hall)
@@ -118,7 +118,7 @@ class _Builder:
                 if way is not None and len(way) > 1:
                     yield self._route(start, goal, way)
 
-    def _corridor(self, hall: MazeHall) -> _Feature:
+    def _corridor(self, hall: MazeHall) -> Feature:
         (ax, ay), (bx, by) = map(self.place, hall.ends)
         half = HALL_WIDTH / 2
         dx, dy = (bx - ax) / EDGE * half, (by - ay) / EDGE * half
@@ -131,14 +131,14 @@ class _Builder:
         floor = FLOORS.get(hall.floor)
         return _polygon(
             f"hall_{_between(hall)}",
+            "corridor",
             corners,
-            kind="corridor",
             name=None,
             floor_material=hall.floor if floor is None else floor[2],
             wall_material="plaster",
         )
 
-    def _looks(self, hall: MazeHall) -> Iterator[_Feature]:
+    def _looks(self, hall: MazeHall) -> Iterator[Feature]:
         (ax, ay), (bx, by) = map(self.place, hall.ends)
         x, y = (ax + bx) / 2, (ay + by) / 2
         along = math.degrees(math.atan2(by - ay, bx - ax)) % 360
@@ -164,7 +164,7 @@ class _Builder:
                 mount="wall",
             )
 
-    def _turning_point(self, cell: MazeCell) -> _Feature:
+    def _turning_point(self, cell: MazeCell) -> Feature:
         x, y = self.place(cell)
         half = HALL_WIDTH / 2
         ways = self._maze.neighbours[cell]
@@ -188,14 +188,14 @@ class _Builder:
         ]
         return _polygon(
             f"node_{_word(cell)}",
+            "turning_point",
             corners,
-            kind="turning_point",
             name=None,
             shape=shape,
             exits=exits,
         )
 
-    def _furniture(self, cell: MazeCell, thing: str) -> _Feature:
+    def _furniture(self, cell: MazeCell, thing: str) -> Feature:
         x, y = self.place(cell)
         category, name, size = THINGS.get(thing, (thing, None, (0.45, 0.45, 1.0)))
         return _landmark(
@@ -206,7 +206,7 @@ class _Builder:
             225.0,
         )
 
-    def _route(self, start: int, goal: int, way: list[MazeCell]) -> _Feature:
+    def _route(self, start: int, goal: int, way: list[MazeCell]) -> Feature:
         line = [self.place(cell) for cell in way]
         headings = [
             math.degrees(math.atan2(b[1] - a[1], b[0] - a[0]))
@@ -220,22 +220,19 @@ class _Builder:
                 turns.append({"at": f"node_{_word(way[at])}", "direction": side})
         last = frozenset(way[-2:])
         hall = next(h for h in self._maze.halls if frozenset(h.ends) == last)
-        return {
-            "type": "Feature",
-            "id": f"route_{start}_{goal}",
-            "geometry": {"type": "LineString", "coordinates": line},
-            "properties": {
-                "kind": "route",
-                "route": route_name(start, goal),
-                "role": "reference",
-                "start_heading_deg": headings[0] % 360,
-                "goal": f"position {goal}",
-                "goal_landmark": f"floor_{_between(hall)}",
-                "length_m": EDGE * (len(way) - 1),
-                "turns": turns,
-                "note": "A shortest way; instructions may tell another.",
-            },
-        }
+        return feature(
+            f"route_{start}_{goal}",
+            "route",
+            {"type": "LineString", "coordinates": line},
+            route=route_name(start, goal),
+            role="reference",
+            start_heading_deg=headings[0] % 360,
+            goal=f"position {goal}",
+            goal_landmark=f"floor_{_between(hall)}",
+            length_m=EDGE * (len(way) - 1),
+            turns=turns,
+            note="A shortest way; instructions may tell another.",
+        )
 
 
 def _word(cell: MazeCell) -> str:
@@ -247,14 +244,11 @@ def _between(hall: MazeHall) -> str:
 
 
 def _polygon(
-    identity: str, corners: list[tuple[float, float]], **properties: Any
-) -> _Feature:
-    return {
-        "type": "Feature",
-        "id": identity,
-        "geometry": {"type": "Polygon", "coordinates": [[*corners, corners[0]]]},
-        "properties": properties,
-    }
+    identity: str, kind: str, corners: list[tuple[float, float]], **properties: object
+) -> Feature:
+    ring = [*corners, corners[0]]
+    geometry: dict[str, object] = {"type": "Polygon", "coordinates": [ring]}
+    return feature(identity, kind, geometry, **properties)
 
 
 def _landmark(
@@ -264,21 +258,18 @@ def _landmark(
     size: tuple[float, float, float],
     heading_deg: float,
     mount: str = "floor",
-) -> _Feature:
+) -> Feature:
     category, color, name = words
-    return {
-        "type": "Feature",
-        "id": identity,
-        "geometry": {"type": "Point", "coordinates": place},
-        "properties": {
-            "kind": "landmark",
-            "category": category,
-            "color": color,
-            "name": name,
-            "text": None,
-            "heading_deg": heading_deg,
-            "size_m": size,
-            "mount": mount,
-            "obstacle": False,
-        },
-    }
+    return feature(
+        identity,
+        "landmark",
+        {"type": "Point", "coordinates": place},
+        category=category,
+        color=color,
+        name=name,
+        text=None,
+        heading_deg=heading_deg,
+        size_m=size,
+        mount=mount,
+        obstacle=False,
+    )
