@@ -155,27 +155,18 @@ def _plain(text: str) -> str:
     return text.lower().replace("\u2019", "'")
 
 
-def _written(text: str) -> list[str]:
-    return text.split()
-
-
 def _bare(text: str) -> list[str]:
     bare = (word.strip(AROUND_WORDS) for word in _plain(text).split())
     return [word for word in bare if word]
 
 
-def _letters(text: str) -> list[str]:
-    return LETTERS.findall(_plain(text))
-
-
-def _meaning(text: str) -> list[str]:
-    return [word for word in tokens(text) if word not in FUNCTION_WORDS]
+def _meaning(words: Iterable[str]) -> list[str]:
+    return [word for word in words if word not in FUNCTION_WORDS]
 
 
 def _cloud(text: str) -> list[str]:
     words = CLOUD_WORD.findall(_plain(text))
-    bare = (word.removesuffix("'s") for word in words if not word.isdigit())
-    return [word for word in bare if word not in FUNCTION_WORDS]
+    return _meaning(word.removesuffix("'s") for word in words if not word.isdigit())
 
 
 COUNTING_RULES = (
@@ -187,7 +178,7 @@ COUNTING_RULES = (
     CountingRule(
         "as written",
         "what spaces separate, with capitals and punctuation as written",
-        _written,
+        str.split,
     ),
     CountingRule(
         "bare",
@@ -195,9 +186,15 @@ COUNTING_RULES = (
         "numbers count",
         _bare,
     ),
-    CountingRule("only letters", "runs of letters, in small letters", _letters),
     CountingRule(
-        "content", 'as "letters", without function words (a, the, you, then)', _meaning
+        "only letters",
+        "runs of letters, in small letters",
+        lambda text: LETTERS.findall(_plain(text)),
+    ),
+    CountingRule(
+        "content",
+        'as "letters", without function words (a, the, you, then)',
+        lambda text: _meaning(tokens(text)),
     ),
     CountingRule(
         "cloud",

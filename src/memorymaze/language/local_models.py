@@ -9,8 +9,8 @@ import importlib
 import importlib.util
 import os
 import time
-from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import takewhile
 from pathlib import Path
 from typing import Any
 
@@ -175,10 +175,10 @@ class GgufModel:
     def _length_of(self, messages: tuple[Message, ...], tokens: list[int]) -> int:
         """Return how many tokens are there whatever the last message says."""
         others = [self._tokens((*messages, Message("user", text))) for text in "Az"]
-        return min(
-            sum(1 for _ in _while_equal(one, two))
-            for one, two in ((tokens, others[0]), others)
+        same = takewhile(
+            lambda each: len(set(each)) == 1, zip(tokens, *others, strict=False)
         )
+        return sum(1 for _ in same)
 
     def _keep(self, messages: tuple[Message, ...], beginning: "_Beginning") -> None:
         """Keep the present state, in the place of old ones where there is no room."""
@@ -202,13 +202,6 @@ def _piece(llama: Any, token: int) -> str:
     if token < 0:
         return ""
     return llama.detokenize([token], special=True).decode("utf-8", "replace")
-
-
-def _while_equal(one: list[int], two: list[int]) -> Iterator[int]:
-    for first, second in zip(one, two, strict=False):
-        if first != second:
-            return
-        yield first
 
 
 @dataclass

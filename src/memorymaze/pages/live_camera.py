@@ -1,13 +1,12 @@
 """What the robot's camera sees, as small pictures for pages."""
 
-import io
 import math
 from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image
 
+from memorymaze.language.model import Picture
 from memorymaze.simulation.robot import SimulatedRobot
 
 QUALITY = 78
@@ -20,14 +19,15 @@ BEARINGS = (math.pi, math.pi / 2, 0.0, -math.pi / 2)
 
 def seen_ahead(robot: SimulatedRobot) -> bytes:
     """Return what the camera sees now, as a JPEG."""
-    return _jpeg(robot.camera_frame(*SIZE).rgb)
+    return Picture.of_pixels(robot.camera_frame(*SIZE).rgb, quality=QUALITY).data
 
 
 def seen_all_round(robot_facing: Callable[[float], SimulatedRobot]) -> bytes:
     """Return the view all round as one strip, straight ahead in its middle, as a JPEG."""
     views = [_on_cylinder(robot_facing(each)) for each in BEARINGS]
     strip = np.concatenate(views, axis=1)
-    return _jpeg(np.roll(strip, -views[0].shape[1] // 2, axis=1))
+    rolled = np.roll(strip, -views[0].shape[1] // 2, axis=1)
+    return Picture.of_pixels(rolled, quality=QUALITY).data
 
 
 def _on_cylinder(robot: SimulatedRobot) -> NDArray[np.uint8]:
@@ -41,9 +41,3 @@ def _on_cylinder(robot: SimulatedRobot) -> NDArray[np.uint8]:
     down = np.clip(np.rint(height / 2 + rows), 0, height - 1).astype(np.intp)
     right = np.clip(np.rint(width / 2 + columns), 0, width - 1).astype(np.intp)
     return robot.camera_frame(*SIZE).rgb[down, right]
-
-
-def _jpeg(rgb: NDArray[np.uint8]) -> bytes:
-    file = io.BytesIO()
-    Image.fromarray(rgb).save(file, "JPEG", quality=QUALITY)
-    return file.getvalue()

@@ -51,8 +51,6 @@ def told_instruction(
         reference_route=outline.facts.route.id,
         failures=tuple(Failure(m.kind, m.where, m.detail) for m in failures),
         source="synthetic",
-        language="en",
-        split="test",
         pair=pair,
         spans=tuple(spans),
         method="told",

@@ -82,7 +82,8 @@ def write_r2r(
     """
     folder = Path(folder)
     chosen = list(instructions)
-    graphs = {name: navigation_graph(sites[name]) for name in sorted(_names(chosen))}
+    names = sorted({each.site for each in chosen})
+    graphs = {name: navigation_graph(sites[name]) for name in names}
     files: list[Path] = []
     number = 0
     for split, members in by_split(chosen).items():
@@ -123,10 +124,6 @@ def read_r2r(
         for item in read_as(_ITEMS, path, "R2R items"):
             read += _instructions(item, path, sites, routes, labels)
     return read
-
-
-def _names(instructions: Iterable[Instruction]) -> set[str]:
-    return {each.site for each in instructions}
 
 
 def _item(

@@ -86,13 +86,9 @@ def _episode(paragraph: Paragraph, site: Site, heading: str) -> Episode:
         site=site.name,
         route=name,
         study="sail",
-        iteration=1,
         participant=paragraph.writer,
         text=paragraph.text,
         reference_route=route.id,
-        failures=(),
-        source="human",
-        language="en",
         split=DEVELOPMENT if was_developed_on(paragraph.writer) else "test",
         followers=Followers(paragraph.usable, paragraph.followers, paragraph.arrived),
     )
