@@ -115,6 +115,38 @@ def append_line(path: Path, line: str) -> None:
         os.fsync(file.fileno())
 
 
+def append_lines(
+    path: Path, lines: bytes, is_broken_off: Callable[[bytes], bool]
+) -> None:
+    """Add lines to a file that other processes add to; they are on the disk then.
+
+    A last line without an end is cut away first where a killed process left it.
+    """
+    handle = os.open(path, os.O_RDWR | os.O_CREAT | os.O_APPEND, 0o644)
+    try:
+        fcntl.flock(handle, fcntl.LOCK_EX)
+        last = _last_line(handle)
+        if last and is_broken_off(last):
+            os.ftruncate(handle, os.fstat(handle).st_size - len(last))
+        elif last:
+            lines = b"\n" + lines
+        while lines:
+            lines = lines[os.write(handle, lines) :]
+        os.fsync(handle)
+    finally:
+        os.close(handle)
+
+
+def _last_line(handle: int) -> bytes:
+    """Return what follows the last line end of a file."""
+    found, begin = b"", os.fstat(handle).st_size
+    while begin and b"\n" not in found:
+        step = min(begin, 2**16)
+        begin -= step
+        found = os.pread(handle, step, begin) + found
+    return found.rpartition(b"\n")[2]
+
+
 @contextmanager
 def _naming(path: Path) -> Generator[None]:
     """Say which file a refusal is about: a full disk does not tell."""

@@ -1,7 +1,6 @@
 """What annotators say of instructions, and the files that keep it (JSONL)."""
 
 import json
-import os
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, fields
 from hashlib import sha256
@@ -9,6 +8,7 @@ from pathlib import Path
 
 from pydantic import TypeAdapter, ValidationError
 
+from memorymaze.durable_files import append_lines
 from memorymaze.errors import LabelFileError, SettingsError
 from memorymaze.input_files import mistakes, parse_record, read_file, refusal
 from memorymaze.instructions.error_kinds import ERROR_KINDS
@@ -131,13 +131,7 @@ def append_labels(path: str | Path, labels: Iterable[Label]) -> None:
     )
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        with path.open("a+b") as file:
-            file.seek(0)
-            content = file.read()
-            file.truncate(content.rfind(b"\n") + 1)
-            file.write(lines.encode())
-            file.flush()
-            os.fsync(file.fileno())
+        append_lines(path, lines.encode(), is_broken_off=lambda last: True)
     except OSError as error:
         raise LabelFileError(
             f"{path}: cannot be written ({error.strerror or error})"

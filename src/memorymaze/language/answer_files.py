@@ -6,12 +6,11 @@ number of processes; several of them one after another are one. What a line may 
 `docs/language_models.md`.
 """
 
-import fcntl
 import json
-import os
 import warnings
 from pathlib import Path
 
+from memorymaze.durable_files import append_lines
 from memorymaze.errors import (
     AnswerFileError,
     LanguageModelError,
@@ -241,33 +240,8 @@ class AnswerFile:
 
 
 def append_answers(path: Path, lines: bytes) -> None:
-    """Add lines to a file that other processes add to; they are on the disk then.
-
-    A last line that a killed process left is cut away first.
-    """
-    handle = os.open(path, os.O_RDWR | os.O_CREAT | os.O_APPEND, 0o644)
-    try:
-        fcntl.flock(handle, fcntl.LOCK_EX)
-        last = _last_line(handle)
-        if _is_broken_off(last):
-            os.ftruncate(handle, os.fstat(handle).st_size - len(last))
-        elif last:
-            lines = b"\n" + lines
-        while lines:
-            lines = lines[os.write(handle, lines) :]
-        os.fsync(handle)
-    finally:
-        os.close(handle)
-
-
-def _last_line(handle: int) -> bytes:
-    """Return what follows the last line end of a file."""
-    found, begin = b"", os.fstat(handle).st_size
-    while begin and b"\n" not in found:
-        step = min(begin, 2**16)
-        begin -= step
-        found = os.pread(handle, step, begin) + found
-    return found.rpartition(b"\n")[2]
+    """Add lines to a file that other processes add to; they are on the disk then."""
+    append_lines(path, lines, _is_broken_off)
 
 
 def _is_broken_off(last: bytes) -> bool:

@@ -1,7 +1,7 @@
 """Labels that several people give descriptions on the plan, and what is settled of them."""
 
 import json
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 
 import numpy as np
 
@@ -72,9 +72,7 @@ class Labelled:
 
 def _closed(agreed: Consensus, keep: tuple[str, ...] = ()) -> Consensus:
     still = tuple(each for each in agreed.open if each.startswith(keep)) if keep else ()
-    return Consensus(
-        agreed.instruction, agreed.labels, agreed.way, agreed.failures, still
-    )
+    return replace(agreed, open=still)
 
 
 class Labelling:
