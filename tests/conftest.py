@@ -5,8 +5,11 @@ import math
 import os
 import shutil
 from collections.abc import Callable, Generator, Sequence
+from contextlib import ExitStack
 from dataclasses import replace
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
+from threading import Thread
 from typing import TYPE_CHECKING, Any, get_args
 
 import pytest
@@ -109,6 +112,52 @@ def complaints() -> "Callable[[Page], list[str]]":
         return [f"{page.title()}: {each}" for each in complaints]
 
     return found
+
+
+ChatServer = Callable[..., tuple[str, list[dict[str, Any]]]]
+
+
+@pytest.fixture
+def chat_server() -> Generator[ChatServer]:
+    """Serve an OpenAI-compatible model: `chat_server(reply, model="m", tokens=(9, 1))`.
+
+    It says what `reply` makes of a request. What comes back are the server's address, and
+    the requests it has had.
+    """
+    with ExitStack() as servers:
+
+        def serve(
+            reply: Callable[[dict[str, Any]], str], model: str, tokens: tuple[int, int]
+        ) -> tuple[str, list[dict[str, Any]]]:
+            requests: list[dict[str, Any]] = []
+
+            class Handler(BaseHTTPRequestHandler):
+                def do_POST(self) -> None:
+                    length = int(self.headers["content-length"])
+                    requests.append(json.loads(self.rfile.read(length)))
+                    message = {"role": "assistant", "content": reply(requests[-1])}
+                    usage = dict(
+                        zip(("prompt_tokens", "completion_tokens"), tokens, strict=True)
+                    )
+                    answer = {"model": model, "choices": [{"message": message}]}
+                    body = json.dumps(answer | {"usage": usage}).encode()
+                    self.send_response(200)
+                    self.send_header("content-type", "application/json")
+                    self.send_header("content-length", str(len(body)))
+                    self.end_headers()
+                    self.wfile.write(body)
+
+                def log_message(self, format: str, *args: object) -> None:
+                    """Keep quiet."""
+
+            http = servers.enter_context(ThreadingHTTPServer(("127.0.0.1", 0), Handler))
+            thread = Thread(target=http.serve_forever, args=(0.01,))
+            thread.start()
+            servers.callback(thread.join)
+            servers.callback(http.shutdown)
+            return f"http://127.0.0.1:{http.server_port}/v1", requests
+
+        yield serve
 
 
 @pytest.fixture(scope="session")

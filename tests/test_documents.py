@@ -2,11 +2,10 @@ import json
 import re
 import subprocess
 import sys
-import threading
-from collections.abc import Generator
+from collections.abc import Callable
 from dataclasses import replace
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -27,50 +26,18 @@ def _run(program: str, folder: Path) -> str:
     return done.stdout
 
 
-@pytest.fixture
-def model_server() -> Generator[tuple[str, list[str]]]:
-    """A server of a model that says `forward`, and what it was asked."""
-    asked: list[str] = []
-
-    class Handler(BaseHTTPRequestHandler):
-        def do_POST(self) -> None:
-            body = self.rfile.read(int(self.headers["content-length"]))
-            asked.append(json.loads(body)["messages"][-1]["content"])
-            content = {
-                "model": "my-model",
-                "choices": [{"message": {"role": "assistant", "content": "forward"}}],
-                "usage": {"prompt_tokens": 100, "completion_tokens": 2},
-            }
-            answer = json.dumps(content).encode()
-            self.send_response(200)
-            self.send_header("content-type", "application/json")
-            self.send_header("content-length", str(len(answer)))
-            self.end_headers()
-            self.wfile.write(answer)
-
-        def log_message(self, format: str, *args: object) -> None:
-            pass
-
-    with ThreadingHTTPServer(("127.0.0.1", 0), Handler) as http:
-        thread = threading.Thread(target=http.serve_forever, args=(0.01,))
-        thread.start()
-        yield f"http://127.0.0.1:{http.server_port}/v1", asked
-        http.shutdown()
-        thread.join()
-
-
 def test_the_python_blocks_of_the_page_on_python_run(
-    tmp_path: Path, model_server: tuple[str, list[str]]
+    tmp_path: Path, chat_server: Callable[..., tuple[str, list[dict[str, Any]]]]
 ) -> None:
     """Its agent that asks a model is recorded, replayed and priced."""
-    address, asked = model_server
+    address, asked = chat_server(lambda _: "forward", "my-model", (100, 2))
     page = (PROJECT / "docs" / "python.md").read_text(encoding="utf-8")
     program = "\n".join(re.findall(r"```python\n(.*?)```", page, flags=re.DOTALL))
     assert "http://localhost:8000/v1" in program
     said = _run(program.replace("http://localhost:8000/v1", address), tmp_path)
     assert "right_hand, 6 episodes" in said
     assert "B - A" in said
-    assert "Say one word of ['" in asked[0]
+    assert "Say one word of ['" in asked[0]["messages"][-1]["content"]
     _, recorded = read_run(tmp_path / "runs" / "asked")
     _, replayed = read_run(tmp_path / "runs" / "replayed")
     calls = sum(one.model_calls for one in recorded)

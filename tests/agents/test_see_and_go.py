@@ -5,10 +5,8 @@ import io
 import json
 import math
 import shutil
-from collections.abc import Callable, Iterator
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from collections.abc import Callable
 from pathlib import Path
-from threading import Thread
 from types import SimpleNamespace
 from typing import Any
 
@@ -177,43 +175,11 @@ def looks_and_says(request: dict[str, Any]) -> str:
 
 
 @pytest.fixture
-def vision_server() -> Iterator[tuple[str, list[dict[str, Any]]]]:
-    """An OpenAI-compatible server that answers by what it sees, and what it was asked."""
-    requests: list[dict[str, Any]] = []
-
-    class Handler(BaseHTTPRequestHandler):
-        def do_POST(self) -> None:
-            body = self.rfile.read(int(self.headers["content-length"]))
-            requests.append(json.loads(body))
-            said = looks_and_says(requests[-1])
-            message = {"role": "assistant", "content": said}
-            answer = {
-                "id": "1",
-                "object": "chat.completion",
-                "created": 1,
-                "model": "sees-red",
-                "choices": [{"index": 0, "finish_reason": "stop", "message": message}],
-                "usage": {
-                    "prompt_tokens": 9,
-                    "completion_tokens": 1,
-                    "total_tokens": 10,
-                },
-            }
-            body = json.dumps(answer).encode()
-            self.send_response(200)
-            self.send_header("content-type", "application/json")
-            self.send_header("content-length", str(len(body)))
-            self.end_headers()
-            self.wfile.write(body)
-
-        def log_message(self, format: str, *arguments: Any) -> None:
-            pass
-
-    http = ThreadingHTTPServer(("127.0.0.1", 0), Handler)
-    Thread(target=http.serve_forever, args=(0.01,), daemon=True).start()
-    yield f"http://127.0.0.1:{http.server_address[1]}/v1", requests
-    http.shutdown()
-    http.server_close()
+def vision_server(
+    chat_server: Callable[..., tuple[str, list[dict[str, Any]]]],
+) -> tuple[str, list[dict[str, Any]]]:
+    """A server of a model that answers by what it sees, and what it was asked."""
+    return chat_server(looks_and_says, model="sees-red", tokens=(9, 1))
 
 
 def test_a_model_on_a_server_sees_its_way_and_a_replay_needs_no_server(

@@ -1,10 +1,8 @@
 """Agents that ask a language model: on a server of our own, and on what it said."""
 
 import json
-import threading
-from collections.abc import Callable, Generator
+from collections.abc import Callable
 from dataclasses import replace
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
 
@@ -47,36 +45,10 @@ stop()
 ```"""
 
 
-class ProgramWriter(BaseHTTPRequestHandler):
-    """Answers every request with the same program."""
-
-    def do_POST(self) -> None:
-        self.rfile.read(int(self.headers["content-length"]))
-        content = {
-            "model": "fake-1",
-            "choices": [{"message": {"role": "assistant", "content": PROGRAM}}],
-            "usage": {"prompt_tokens": 100, "completion_tokens": 20},
-        }
-        body = json.dumps(content).encode()
-        self.send_response(200)
-        self.send_header("content-type", "application/json")
-        self.send_header("content-length", str(len(body)))
-        self.end_headers()
-        self.wfile.write(body)
-
-    def log_message(self, format: str, *args: object) -> None:
-        pass
-
-
 @pytest.fixture
-def server() -> Generator[str]:
-    """Address of a language-model server on this machine."""
-    with ThreadingHTTPServer(("127.0.0.1", 0), ProgramWriter) as http:
-        thread = threading.Thread(target=http.serve_forever)
-        thread.start()
-        yield f"http://127.0.0.1:{http.server_port}/v1"
-        http.shutdown()
-        thread.join()
+def server(chat_server: Callable[..., tuple[str, Any]]) -> str:
+    """Address of a server whose model answers every request with the same program."""
+    return chat_server(lambda _: PROGRAM, model="fake-1", tokens=(100, 20))[0]
 
 
 @pytest.fixture

@@ -4,10 +4,8 @@ import json
 import math
 import subprocess
 import sys
-from collections.abc import Callable, Iterator
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from collections.abc import Callable
 from pathlib import Path
-from threading import Thread
 from types import SimpleNamespace
 from typing import Any
 
@@ -114,42 +112,16 @@ def test_the_longest_route_can_be_finished_under_the_fair_budget_only(
 
 
 @pytest.fixture
-def vision_server() -> Iterator[tuple[str, list[dict[str, Any]]]]:
-    """A server of an OpenAI-compatible vision model that always goes 75 cm ahead."""
-    requests: list[dict[str, Any]] = []
+def vision_server(
+    chat_server: Callable[..., tuple[str, list[dict[str, Any]]]],
+) -> tuple[str, list[dict[str, Any]]]:
+    """A server of a vision model that goes 75 cm ahead until it is asked 20 times."""
+    replies = ["forward"] * 19 + ["stop"]
 
-    class Handler(BaseHTTPRequestHandler):
-        def do_POST(self) -> None:
-            body = self.rfile.read(int(self.headers["content-length"]))
-            requests.append(json.loads(body))
-            last = len(requests) > 19
-            said = {"action": "stop" if last else "forward", "amount": 75}
-            message = {"role": "assistant", "content": json.dumps(said)}
-            choice = {"index": 0, "finish_reason": "stop", "message": message}
-            usage = {"prompt_tokens": 900, "completion_tokens": 20, "total_tokens": 920}
-            answer = {
-                "id": "1",
-                "object": "chat.completion",
-                "created": 1,
-                "model": "small-vlm-2",
-                "choices": [choice],
-                "usage": usage,
-            }
-            body = json.dumps(answer).encode()
-            self.send_response(200)
-            self.send_header("content-type", "application/json")
-            self.send_header("content-length", str(len(body)))
-            self.end_headers()
-            self.wfile.write(body)
+    def ahead(_: dict[str, Any]) -> str:
+        return json.dumps({"action": replies.pop(0), "amount": 75})
 
-        def log_message(self, format: str, *arguments: Any) -> None:
-            pass
-
-    http = ThreadingHTTPServer(("127.0.0.1", 0), Handler)
-    Thread(target=http.serve_forever, args=(0.01,), daemon=True).start()
-    yield f"http://127.0.0.1:{http.server_address[1]}/v1", requests
-    http.shutdown()
-    http.server_close()
+    return chat_server(ahead, model="small-vlm-2", tokens=(900, 20))
 
 
 @pytest.mark.proof
