@@ -5,15 +5,19 @@ from typing import Literal, cast
 from memorymaze.studies.study_file import StudyDesign
 
 StepKind = Literal[
+    "consent",
     "comprehension",
     "familiarity",
     "scenario",
     "watch",
     "wait",
     "tell",
+    "mark",
+    "told",
     "retell",
     "follow",
     "attention",
+    "done",
 ]
 
 TELLINGS = ("tell", "retell")

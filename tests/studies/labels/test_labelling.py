@@ -17,6 +17,7 @@ from memorymaze.sites import Site
 from memorymaze.studies.exporting import export_study
 from memorymaze.studies.interviews.records import InterviewRecord, Interviews
 from memorymaze.studies.labels.marking import points_crossed, read_marks
+from memorymaze.studies.schedule import StudyStep
 from memorymaze.studies.serving import serving_study
 from memorymaze.studies.store import Store, open_store
 from memorymaze.studies.study_file import Study
@@ -39,7 +40,7 @@ def interview(store: Store, who: str = WHO, **texts: str) -> None:
     }
     interviews, now = Interviews(store), time.time()
     records = [
-        InterviewRecord(f"{who}-{n:03}", who, step, now - 9, now)
+        InterviewRecord(f"{who}-{n:03}", who, StudyStep(step), now - 9, now)
         for n, step in enumerate(["consent", "familiarity.R1", *told, "done"])
     ]
     assert interviews.begin(records[0], "R1, R2", "I agree") == "kept"

@@ -5,7 +5,6 @@ through it, keeps everything on the tablet and sends it when it can. Each thing 
 judged here.
 """
 
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -29,10 +28,10 @@ from memorymaze.studies.interviews.records import (
 )
 from memorymaze.studies.labels.marking import plan_view, read_marks
 from memorymaze.studies.participant_pages import LONGEST_TEXT
-from memorymaze.studies.schedule import route_orders
+from memorymaze.studies.schedule import TELLINGS, StudyStep, route_orders
 from memorymaze.studies.store import Store
 from memorymaze.studies.study_file import StudyDesign
-from memorymaze.studies.tellings import TELLINGS, StudyTellings
+from memorymaze.studies.tellings import StudyTellings
 
 WORKER = Path(__file__).parent / "static" / "service-worker.js"
 NEEDS_HTTPS = (
@@ -67,14 +66,6 @@ class InterviewPages:
         self._authority = None if certificate is None else authority_of(certificate)
         self._store = store
         self._study = store.study
-        self._takers: dict[str, Callable[[InterviewRecord, Fields], Receipt]] = {
-            "consent": self._take_consent,
-            "familiarity": self._take_familiarity,
-            "tell": self._take_told,
-            "retell": self._take_told,
-            "mark": self._take_marks,
-            "done": self._take_end,
-        }
 
     @property
     def routes(self) -> list[BaseRoute]:
@@ -151,51 +142,48 @@ class InterviewPages:
                 raise ValueError(f"There is no step {record.step!r} in this study.")
             if any(len(text) > LONGEST_TEXT for text in fields.values()):
                 raise ValueError(f"Expected texts of at most {LONGEST_TEXT:,} letters.")
-            kind = record.step.partition(".")[0]
-            taken = self._takers.get(kind, self._take_text)(record, fields)
+            taken = self._taken(record, fields)
         except (ValueError, StudyError) as error:
             return JSONResponse({"refused": str(error)}, 400)
         return _said(taken)
 
-    def _take_consent(self, record: InterviewRecord, fields: Fields) -> Receipt:
-        cell, shown = fields.get("cell", ""), fields.get("shown", "")
-        return self._interviews.begin(record, cell, shown)
-
-    def _take_familiarity(self, record: InterviewRecord, fields: Fields) -> Receipt:
+    def _taken(self, record: InterviewRecord, fields: Fields) -> Receipt:
+        """Keep what was sent for a step."""
+        take, kind = self._interviews.take, record.step.kind
         text, shown = fields.get("text", ""), fields.get("shown", "")
-        if text not in self._study.design.familiarity.excluded:
-            return self._interviews.take(record, text, shown)
-        return self._interviews.take(
-            record, text, shown, state="excluded", reason="familiarity"
-        )
-
-    def _take_text(self, record: InterviewRecord, fields: Fields) -> Receipt:
-        return self._interviews.take(
-            record, fields.get("text", "").strip(), fields.get("shown", "").strip()
-        )
-
-    def _take_told(self, record: InterviewRecord, fields: Fields) -> Receipt:
-        if not fields.get("text", "").strip() and fields.get("recorded") != "yes":
-            raise ValueError("Expected what was told, typed or recorded, got neither.")
-        return self._take_text(record, fields)
+        match kind:
+            case "consent":
+                return self._interviews.begin(record, fields.get("cell", ""), shown)
+            case "familiarity":
+                if text not in self._study.design.familiarity.excluded:
+                    return take(record, text, shown)
+                return take(record, text, shown, state="excluded", reason=kind)
+            case "mark":
+                return self._take_marks(record, fields)
+            case "done":
+                return take(record, "", state="complete")
+            case _:
+                recorded = fields.get("recorded") == "yes"
+                if kind in TELLINGS and not (text.strip() or recorded):
+                    raise ValueError(
+                        "Expected what was told, typed or recorded, got neither."
+                    )
+                return take(record, text.strip(), shown.strip())
 
     def _take_marks(self, record: InterviewRecord, fields: Fields) -> Receipt:
-        route = record.step.partition(".")[2]
+        route = record.step.route
         marks = read_marks(fields, self._study.site, route)
         taken = self._interviews.take(record, marks.as_json())
         heard = fields.get("transcript", "").strip()
         if taken == "kept" and heard:
             self._tellings.add_transcript(
                 record.participant,
-                f"tell.{route}",
+                StudyStep.of("tell", route),
                 "the experimenter",
                 heard,
                 is_heard=False,
             )
         return taken
-
-    def _take_end(self, record: InterviewRecord, fields: Fields) -> Receipt:
-        return self._interviews.take(record, "", state="complete")
 
     async def _take_recording(self, request: Request) -> Response:
         self._experimenter.entrance.check(request)
@@ -211,9 +199,9 @@ class InterviewPages:
         try:
             record = _record(request, query)
             seconds = float(query.get("seconds", "nan"))
-            about = record.step.removeprefix(VOICE)
-            tells = about.partition(".")[0] in TELLINGS
-            if not (record.step.startswith(VOICE) and tells) or about not in steps:
+            about = StudyStep(record.step.removeprefix(VOICE))
+            tells = record.step.startswith(VOICE) and about.kind in TELLINGS
+            if not tells or about not in steps:
                 raise ValueError(f"There is no recording of {record.step!r}.")
             if media_type not in MEDIA_TYPES or not body or not 0 <= seconds < 86_400:
                 raise ValueError(
@@ -246,18 +234,18 @@ class InterviewPages:
         raise HTTPException(404)
 
 
-def interview_steps(design: StudyDesign) -> list[str]:
+def interview_steps(design: StudyDesign) -> list[StudyStep]:
     """Return all that may be answered in an interview, whatever its order."""
-    about = [f"{kind}.{each.route}" for each in design.routes for kind in ROUTE_STEPS]
-    known = [f"familiarity.{each.route}" for each in design.routes]
-    return ["consent", *known, "scenario", *about, "done"]
+    kinds = ("familiarity", *ROUTE_STEPS)
+    about = [StudyStep.of(kind, each.route) for each in design.routes for kind in kinds]
+    return [*map(StudyStep, ("consent", "scenario", "done")), *about]
 
 
 def _record(request: Request, fields: Fields) -> InterviewRecord:
     return InterviewRecord(
         request.path_params["record"],
         request.path_params["participant"],
-        fields.get("step", ""),
+        StudyStep(fields.get("step", "")),
         float(fields.get("opened", "nan")),
         float(fields.get("at", "nan")),
     )

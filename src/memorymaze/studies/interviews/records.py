@@ -11,7 +11,7 @@ from typing import Literal
 
 from memorymaze.durable_files import write_whole
 from memorymaze.errors import StudyError
-from memorymaze.studies.schedule import cell_name, route_orders
+from memorymaze.studies.schedule import StudyStep, cell_name, route_orders
 from memorymaze.studies.store import RECORDINGS, State, Store
 
 Receipt = Literal["kept", "known", "taken", "gone"]
@@ -38,7 +38,7 @@ class InterviewRecord:
 
     id: str
     participant: str
-    step: str
+    step: StudyStep
     opened: float
     """Seconds since 1970 by the tablet, as `at`."""
     at: float
