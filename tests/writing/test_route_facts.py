@@ -1,10 +1,14 @@
 """What is told of a route is in sight of who walks it."""
 
 import math
+from dataclasses import replace
 
 import pytest
 from shapely import LineString, Point
 
+from memorymaze.sites import Site
+from memorymaze.understanding import parse_route_description
+from memorymaze.writing import cells_of, parse_rates, sample_outlines, write_texts
 from memorymaze.writing.route_facts import RouteFacts
 
 FLOOR_ENDS = 0.8
@@ -64,3 +68,48 @@ def test_what_is_said_of_a_route_is_in_the_plan_language(
     assert [leg.turn.way for leg in said.legs] == ["right", "left", "right", "left"]
     lengths = [leg.length.metres if leg.length else 0.0 for leg in said.legs]
     assert sum(lengths) == pytest.approx(university_r1.stops[-1])
+
+
+def _to_kitchen(
+    corridor: Site, labels: str, door: int = 3, start: float = 2.0
+) -> RouteFacts:
+    """Return a walk past doors with these labels to one of them, the kitchen's."""
+    labelled = zip(corridor.doors, labels, strict=True)
+    doors = tuple(replace(each, label=label) for each, label in labelled)
+    goal = doors[door]
+    line = LineString([(start, 0), (goal.line.centroid.x, 0)])
+    way = replace(
+        corridor.routes[0], line=line, goal="the kitchen", goal_landmark=goal.id
+    )
+    site = replace(corridor, doors=doors, routes=(way,))
+    return cells_of(site)[0].reference
+
+
+@pytest.mark.parametrize(
+    ("labels", "door", "start", "nth"),
+    [
+        pytest.param("KABK", 3, 2.0, 2, id="behind another"),
+        pytest.param("KKKK", 3, 2.0, 4, id="behind three others"),
+        pytest.param("BAAK", 3, 2.0, None, id="the only one"),
+        pytest.param("AKBK", 1, 2.0, None, id="the first"),
+        pytest.param("KABK", 3, 5.0, None, id="another behind the start"),
+    ],
+)
+def test_doors_of_one_label_are_counted_up_to_the_goal(
+    corridor_site: Site, labels: str, door: int, start: float, nth: int | None
+) -> None:
+    facts = _to_kitchen(corridor_site, labels, door, start)
+    assert facts.plan.said.arrival.nth == nth
+
+
+@pytest.mark.parametrize(("labels", "nth"), [("KABK", 2), ("KACD", None)])
+def test_a_door_counted_in_a_text_is_read_so(
+    corridor_site: Site, labels: str, nth: int | None
+) -> None:
+    site = _to_kitchen(corridor_site, labels).graph.site
+    for cell in cells_of(site):
+        for outline in sample_outlines(cell, parse_rates("failure=0"), 3, 0):
+            (made,) = write_texts(outline, paired=False)
+            told = "the second door of the kitchen" in made.text.lower()
+            assert told == (nth is not None), made.text
+            assert parse_route_description(made.text).arrival.nth == nth

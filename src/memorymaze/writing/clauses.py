@@ -132,6 +132,9 @@ def arrival_clause(
     goal = goal_words(arrival.destinations[0])
     if " in " in goal and rng.random() < 0.6:
         goal = goal.partition(" in ")[0]
+    ordinals = phrases("ordinals")
+    if arrival.nth is not None and arrival.nth <= len(ordinals) and "door" not in goal:
+        goal = f"the {ordinals[arrival.nth - 1]} door of {goal}"
     told = one_of(patterns, rng).format(
         goal=goal, there=_there(arrival, rng), thing=thing
     )

@@ -242,7 +242,9 @@ class _Proposals:
     def ends_at(self, plan: StepPlan, beside: Beside, stretch: ToldStretch) -> Mistake:
         thing, goal = beside.thing, plan.ending.goal
         claimed = with_article(thing, definite=True)
-        ending = ToldEnding(goal, thing.position, stretch, beside.side, thing, claimed)
+        ending = ToldEnding(
+            goal, thing.position, stretch, beside.side, thing, claimed=claimed
+        )
         detail = f"ends at {claimed} and takes it for {goal}"
         wrong = replace(plan, ending=ending)
         return self.mistake("arrival", "step", thing.id, detail, wrong)

@@ -34,6 +34,8 @@ from memorymaze.writing.turning_point_graph import (
 
 BESIDE = 4.5
 """Metres from the way within which things are mentioned."""
+SAME_DOOR = 1.0
+"""Metres from the end of a route within which a door is not passed before."""
 AHEAD = math.radians(40)
 """A destination within this bearing lies ahead."""
 
@@ -313,4 +315,29 @@ class RouteFacts:
         ]
         by = near[-1] if near else None
         last = self.stretches[-1]
-        return ToldEnding(self.route.goal, (float(x), float(y)), last, side, by)
+        place = float(x), float(y)
+        return ToldEnding(self.route.goal, place, last, side, by, nth=self._nth_door)
+
+    @cached_property
+    def _nth_door(self) -> int | None:
+        """Which of several doors of one name on the last stretch it is, if there are."""
+        doors = self.graph.site.doors
+        goal = next((d for d in doors if d.id == self.route.goal_landmark), None)
+        if goal is None or goal.label is None:
+            return None
+        stretch = substring(
+            self.route.line, (0.0, *self.stops)[-1], self.route.line.length
+        )
+        before = 0
+        for door in doors:
+            middle = door.line.interpolate(0.5, normalized=True)
+            at = stretch.project(middle)
+            if (
+                door.id != goal.id
+                and door.label == goal.label
+                and 0.3 < at < stretch.length - SAME_DOOR
+                and stretch.distance(middle) <= BESIDE
+                and self.graph.sees(stretch.interpolate(at), middle)
+            ):
+                before += 1
+        return before + 1 if before else None

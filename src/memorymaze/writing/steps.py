@@ -134,6 +134,9 @@ class ToldEnding:
     """Of who arrives; None for ahead."""
     by: Thing | None = None
     """What it is said to be at."""
+    nth: int | None = None
+    """Which of the doors of that name on the last stretch; None for the only one, or the
+    first."""
     claimed: str | None = None
     """The door or thing that the speaker wrongly takes for it."""
 
@@ -144,6 +147,7 @@ class ToldEnding:
         return Arrival(
             destinations=(self.goal,),
             side=self.side or "ahead",
+            nth=self.nth,
             length=self.stretch.said_length,
             mentions=(*self.stretch.mentions, *by),
             passings=self.stretch.passings,
