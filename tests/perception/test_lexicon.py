@@ -1,6 +1,12 @@
 import pytest
 
-from memorymaze.perception.lexicon import is_noun, kind_distance, singular
+from memorymaze.perception.lexicon import (
+    general_words,
+    is_noun,
+    kin_of,
+    kind_distance,
+    singular,
+)
 
 
 @pytest.mark.parametrize(
@@ -44,6 +50,7 @@ def test_unknown_word_is_only_like_itself() -> None:
     assert not is_noun("frobnicator")
     assert kind_distance("frobnicator", "frobnicator") == 0
     assert kind_distance("frobnicator", "machine") is None
+    assert kin_of("frobnicator") == general_words("frobnicator") == ()
 
 
 @pytest.mark.parametrize(
@@ -61,3 +68,22 @@ def test_unknown_word_is_only_like_itself() -> None:
 )
 def test_plural_has_its_singular(plural: str, one: str) -> None:
     assert singular(plural) == one
+
+
+@pytest.mark.parametrize(
+    ("said", "meant"),
+    [("lift", "elevator"), ("sofa", "seat"), ("desk", "counter"), ("bench", "chair")],
+)
+def test_kin_are_the_same_or_what_it_is_or_its_like(said: str, meant: str) -> None:
+    assert meant in kin_of(said)
+    assert said not in kin_of(said)
+
+
+def test_what_has_little_in_common_is_no_kin() -> None:
+    assert "elevator" not in kin_of("desk")
+    assert "bridge" not in kin_of("fountain")  # two of many structures
+
+
+def test_general_words_begin_with_the_nearest() -> None:
+    assert general_words("desk") == ("table", "furniture")
+    assert "desk" not in general_words("table")

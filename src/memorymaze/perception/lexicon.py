@@ -7,8 +7,9 @@ in `noun_phrase.py` and `vocabulary.py`.
 import gzip
 import tomllib
 from collections.abc import Iterator
-from functools import cache, lru_cache
+from functools import cache, cached_property, lru_cache
 from importlib.resources import files
+from itertools import chain
 
 _PLURAL_ENDINGS = (
     ("ies", "y"),
@@ -24,6 +25,10 @@ _PLURAL_ENDINGS = (
     ("s", ""),
     ("ses", "s"),
 )
+
+
+FEW = 20
+"""Other kinds of one kind that are near to each other; of more, any may be meant."""
 
 
 class _Lexicon:
@@ -71,6 +76,46 @@ class _Lexicon:
             likely = {s for s in likely if not self._is_kind_of(s, self._natural)}
         return frozenset(likely)
 
+    def kin(self, word: str) -> tuple[str, ...]:
+        """Return common words for the same thing, for its kinds, and for their few others."""
+        senses = self.senses(word)
+        above = {kind for sense in senses for kind in self._all_kinds(sense)}
+        beside = [self._special_kinds.get(kind, []) for kind in sorted(above)]
+        near = [*sorted(senses | above), *chain(*(s for s in beside if len(s) <= FEW))]
+        found = chain(*(self._common_words.get(sense, []) for sense in near))
+        return tuple(dict.fromkeys(other for other in found if other != word))
+
+    def general(self, word: str) -> tuple[str, ...]:
+        """Return a word for each of what a thing is a kind of, and what these are."""
+        level, found = self.senses(word), list[str]()
+        for _ in range(2):
+            level = frozenset().union(*map(self._all_kinds, level))
+            words = (self._common_words.get(kind, [])[:1] for kind in sorted(level))
+            found += chain(*words)
+        return tuple(dict.fromkeys(found))
+
+    @cached_property
+    def _special_kinds(self) -> dict[int, list[int]]:
+        """The meanings that are directly a kind of one."""
+        found: dict[int, list[int]] = {}
+        for sense in sorted({*self._common_words, *self._own_kinds}):
+            for general in self._all_kinds(sense):
+                found.setdefault(general, []).append(sense)
+        return found
+
+    @cached_property
+    def _common_words(self) -> dict[int, list[str]]:
+        """The words that are often meant so."""
+        found: dict[int, list[str]] = {}
+        for word, senses in self._own_senses.items():
+            for sense in senses:
+                found.setdefault(sense, []).append(word)
+        for word, line in self._nouns.items():
+            for each in line.split(" "):
+                if each.endswith("*") and word.isalpha():
+                    found.setdefault(int(each[:-1]), []).append(word)
+        return found
+
     def names_person(self, words: str) -> bool:
         """Tell whether a word means a person first of all, and not a machine."""
         if words in self._own_senses or words not in self._nouns:
@@ -100,10 +145,13 @@ class _Lexicon:
     def kinds(self, sense: int) -> Iterator[int]:
         """Return what a meaning is directly a kind of."""
         cut = self._cuts.get(sense, ())
+        return (kind for kind in self._all_kinds(sense) if kind not in cut)
+
+    def _all_kinds(self, sense: int) -> frozenset[int]:
         own = self._own_kinds.get(sense, frozenset())
         if sense < len(self._kinds) and (line := self._kinds[sense]):
             own = own.union(map(int, line.split(" ")))
-        return (kind for kind in own if kind not in cut)
+        return own
 
     def _read_terms(self, text: str) -> None:
         rules = [
@@ -217,6 +265,26 @@ def singular(word: str) -> str:
     if word.endswith("s") and not lexicon.senses(word) and len(word) > 3:
         return word[:-1]
     return word
+
+
+@lru_cache(maxsize=20_000)
+def kin_of(noun: str) -> tuple[str, ...]:
+    """Return words that people may say in place of a noun: for the same, its kind, its like.
+
+    >>> "table" in kin_of("desk"), "counter" in kin_of("desk")
+    (True, True)
+    """
+    return _lexicon().kin(noun)
+
+
+@lru_cache(maxsize=20_000)
+def general_words(noun: str) -> tuple[str, ...]:
+    """Return more general words for what a noun names, the nearest first.
+
+    >>> "furniture" in general_words("counter")
+    True
+    """
+    return _lexicon().general(noun)
 
 
 @lru_cache(maxsize=50_000)
