@@ -117,14 +117,15 @@ def walk_plans(
     told: Sequence[Instruction],
     sites: Mapping[str, Site],
     options: argparse.Namespace,
+    settings: RunSettings | None = None,
 ) -> dict[str, PlanWalk]:
     """Let an agent walk plans, and return the walks by the ids of the instructions.
 
-    Every episode has the time that the longest route of all sites takes, so that who
-    goes back is not cut off.
+    Unless settings say otherwise, every episode has the time that the longest route of
+    all sites takes, so that who goes back is not cut off.
     """
     corpus = Corpus("plans", tuple(episodes(told, sites)), sites, ())
-    settings = RunSettings(seed=options.seed, budget_by="longest")
+    settings = settings or RunSettings(seed=options.seed, budget_by="longest")
     folder = options.out / quote(agent.name, safe="")
     plan = plan_run(agent, corpus, settings)
     results = run_plan(plan, folder, workers=options.workers, resume=True)
