@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from memorymaze.agents.guide.alignments import AssumedStart
+from memorymaze.agents.guide.alignments import AssumedStart, Segment
 from memorymaze.agents.guide.arriving import Arrivals
 from memorymaze.agents.guide.belief import Belief
 from memorymaze.agents.guide.likelihoods import Likelihoods
@@ -168,3 +168,48 @@ def test_a_name_weighs_more_than_a_thing_of_which_there_are_many() -> None:
         return _share_in_the_east(floor, Arrival((phrase,)))
 
     assert share("door") < 0.9 < 0.99 < share("planetarium")
+
+
+def test_the_second_door_told_is_not_the_first_one_seen_nor_a_sign() -> None:
+    phrase = "Laboratory"
+    floor = _floor(frozenset({phrase}))
+    for track, (label, x) in enumerate((("door", 3.0), ("sign", 5.0), ("door", 8.0))):
+        place = x, 1.0
+        note = Sighting(phrase, label, 1.0, place, place, 1.0, track, (0, 0), "left")
+        floor.note(note)
+    plan, model = RoutePlan(arrival=Arrival((phrase,), nth=2)), Likelihoods()
+    things = Things(plan, floor, model)
+    belief = Belief(plan, floor, model, things)
+    belief.update(BOTH_WAYS)
+    endings = Arrivals(plan, floor, model, things).endings(belief)
+    best = max(endings, key=lambda each: each.mass)
+    assert best.place == (8.0, 1.0)
+
+
+def test_a_place_of_one_name_may_lie_further_on_where_a_length_says_so() -> None:
+    def chance_further_on(metres: float) -> float:
+        told = Arrival(("Laboratory",), length=Length(metres, "metres"))
+        plan, model = RoutePlan(arrival=told), Likelihoods()
+        floor = _floor(frozenset())
+        arrivals = Arrivals(plan, floor, model, Things(plan, floor, model))
+        start = Segment(0, 0.0, 0, model.speakers, line=((0.0, 0.0),))
+        door = Sighting(
+            "Laboratory", "door", 1.0, (3.0, 1.0), (2.0, 0.0), 1.5, 1, (0, 0), "left"
+        )
+        here = arrivals.here(start, door, 2.0).sum()
+        beyond = arrivals.beyond(start, door, 2.0).sum()
+        return float(beyond / (here + beyond))
+
+    assert chance_further_on(3.0) < 0.2 < 0.5 < chance_further_on(12.0)
+
+
+def test_what_is_called_by_another_word_is_found_by_its_kin() -> None:
+    def share(label: str) -> float:
+        floor = _floor(frozenset({"counter", "furniture"}))
+        place = 8.0, 1.0
+        note = Sighting("furniture", label, 1.0, place, place, 1.0, 1, (0, 0), "left")
+        floor.note(note)
+        return _share_in_the_east(floor, Arrival(("counter",)))
+
+    assert share("desk") > 0.7
+    assert share("piano") == pytest.approx(0.5)

@@ -12,17 +12,19 @@ from hypothesis import strategies as st
 from memorymaze.agents.guide.likelihoods import (
     SPEAKERS,
     WAY_METRES,
+    Heard,
     Likelihoods,
     Weights,
     junction_ratio,
     length_ratio,
     length_to_come,
+    not_seen,
     ordinal_ratio,
     ordinal_to_come,
     passings_ratio,
+    seen_as_said,
     seen_ratio,
     then,
-    unseen_ratio,
     way_ratio,
 )
 from memorymaze.agents.walking.choices import Choices, choices_at
@@ -82,7 +84,7 @@ def test_a_length_says_nothing_on_average_over_all_ways_there_are(said: float) -
 
 def test_who_said_too_much_once_is_believed_to_say_too_much() -> None:
     weights = MODEL.speakers[0] * length_ratio(MODEL, _metres(30.0), 18.0, 1, 1)
-    factors = np.array([factor for _, factor in SPEAKERS])
+    factors = np.array([factor for _, factor, _ in SPEAKERS])
     assert (weights * factors).sum() > 0
     heard = weights / weights.sum()
     again = length_ratio(MODEL, _metres(20.0), 12.0, 1, 1)
@@ -134,7 +136,7 @@ def test_a_turn_told_with_two_counts_fits_either() -> None:
 def test_openings_of_one_side_are_counted_by_some_and_of_both_by_others() -> None:
     """The second left is the third opening of all: only who counts one side says so."""
     ratio = ordinal_ratio(MODEL, Turn("left", ordinal=2), 2, 4, CROSSING)
-    one_side = np.array([one for one, _ in SPEAKERS])
+    one_side = np.array([one for one, _, _ in SPEAKERS])
     weights = MODEL.speakers[0] * ratio
     assert weights[one_side].sum() / weights.sum() > MODEL.one_side
 
@@ -148,8 +150,8 @@ def test_the_last_opening_is_one_where_no_way_goes_on() -> None:
 def test_a_count_still_to_come_speaks_against_no_way_until_it_is_passed() -> None:
     turn = Turn("left", ordinal=2)
     on = [_of_anyone(ordinal_to_come(MODEL, turn, met, met)) for met in range(5)]
-    assert on[0] == on[1] == pytest.approx(1.0)
-    assert on[4] < on[1]
+    assert on[0] == pytest.approx(1.0)
+    assert on[4] < 1 < on[1]
 
 
 def test_openings_told_as_passed_speak_for_who_passed_so_many() -> None:
@@ -229,18 +231,77 @@ def test_weighing_changes_nothing_where_nothing_is_said() -> None:
 
 
 def test_a_rare_thing_says_more_than_one_that_is_everywhere() -> None:
-    rare = seen_ratio(MODEL, MODEL.rare_rate, 10.0, 1.0)
-    common = seen_ratio(MODEL, MODEL.common_rate, 10.0, 1.0)
-    assert rare > common > 1 > unseen_ratio(MODEL) > 0
+    rare = seen_ratio(MODEL.rare_rate, 10.0, 0.5)
+    common = seen_ratio(MODEL.common_rate, 10.0, 0.5)
+    assert rare > common > 1 > max(not_seen(MODEL, 0.8))
 
 
 def test_a_thing_says_less_the_longer_the_way_on_which_it_counts() -> None:
-    ratios = [seen_ratio(MODEL, 0.01, reach, 1.0) for reach in (1.0, 10.0, 100.0)]
+    ratios = [seen_ratio(0.01, reach, 0.5) for reach in (1.0, 10.0, 100.0)]
     assert ratios == sorted(ratios, reverse=True)
 
 
 def test_a_thing_seen_for_sure_says_more_than_one_that_may_be_it() -> None:
-    assert seen_ratio(MODEL, 0.01, 10.0, 1.0) > seen_ratio(MODEL, 0.01, 10.0, 0.3)
+    assert seen_ratio(0.01, 10.0, 0.5) > seen_ratio(0.01, 10.0, 0.2)
+
+
+def test_whose_things_are_not_there_is_believed_less_about_the_next() -> None:
+    missed = MODEL.speakers[0] * not_seen(MODEL, 0.8).of_all ** 3
+    heard = missed / missed.sum()
+    found = seen_as_said(MODEL, MODEL.rare_rate, 10.0, 0.8).of_all
+    assert (heard * found).sum() < _of_anyone(found)
+
+
+# -- what is to come is worth the mean of what it may turn out to be
+
+
+@given(st.floats(3, 60), st.sampled_from(["metres", "steps", "time"]), st.floats(2, 40))
+def test_a_length_to_come_is_worth_the_mean_of_the_lengths_it_may_have(
+    said: float, unit: Unit, walked: float
+) -> None:
+    length = Length(said, unit)
+    ends = walked * np.exp(np.linspace(0, 6, 2001))
+    off = np.log(ends / WAY_METRES) / MODEL.way_log_sd
+    ratios = np.array([length_ratio(MODEL, length, end, 1, 1) for end in ends])
+    mean = np.average(ratios, axis=0, weights=np.exp(-0.5 * off**2))
+    assert length_to_come(MODEL, length, walked, 1) == pytest.approx(mean, rel=0.05)
+
+
+@given(st.integers(1, 6), st.integers(0, 8))
+def test_a_count_to_come_is_worth_the_mean_of_the_openings_it_may_mean(
+    told: int, passed: int
+) -> None:
+    turn = Turn("left", ordinal=told)
+    ends = range(passed + 1, 40)
+    ratios = [_of_anyone(ordinal_ratio(MODEL, turn, n, n, CROSSING)) for n in ends]
+    mean = np.average(ratios, weights=[0.5**n for n in ends])
+    to_come = _of_anyone(ordinal_to_come(MODEL, turn, passed, passed))
+    assert to_come == pytest.approx(mean, rel=1e-3)
+
+
+@given(st.integers(1, 5), st.integers(0, 7))
+def test_passings_to_come_are_worth_the_mean_of_the_openings_that_may_come(
+    told: int, met: int
+) -> None:
+    said = [Passing(told, "left")]
+    ends = range(met, 40)
+    ratios = [passings_ratio(MODEL, said, n, 0, n) for n in ends]
+    mean = np.average(ratios, weights=[0.5**n for n in ends])
+    to_come = passings_ratio(MODEL, said, met, 0, met, going_on=True)
+    assert to_come == pytest.approx(mean, rel=1e-3)
+
+
+@given(st.floats(0.001, 0.1), st.floats(1, 40), st.floats(0.1, 1))
+def test_a_thing_says_nothing_in_the_mean_of_seeing_it_by_chance_and_not(
+    rate: float, reach: float, detected: float
+) -> None:
+    by_chance = 1 - math.exp(-rate * reach)
+    seen = [
+        seen_ratio(rate, reach, (1 - each) * detected, math.inf)
+        for each in (MODEL.invented, MODEL.invented_carelessly)
+    ]
+    mean = Heard(*seen).or_else(not_seen(MODEL, detected), by_chance)
+    assert mean == pytest.approx((1.0, 1.0))
 
 
 # -- whatever is said

@@ -69,3 +69,13 @@ def test_things_at_a_wall_are_seen_after_turning_to_it(
     [door] = walker.look(["door"])
     assert door.place == pytest.approx((0, 1.5), abs=0.5)
     assert walker.heading == pytest.approx(math.pi / 2, abs=0.05)
+
+
+def test_a_glance_finds_what_stands_beside_the_way_and_faces_on(
+    scenes: dict[str, Scene],
+) -> None:
+    walker = Walker(robot_in(scenes["corridor"], 3, 0, 0))
+    assert walker.glance(["door"], "right") == []
+    [door] = walker.glance(["door"], "left")
+    assert door.place == pytest.approx((0, 1.5), abs=0.5)
+    assert walker.heading == pytest.approx(0, abs=0.05)

@@ -20,7 +20,7 @@ from memorymaze.agents.guide.likelihoods import (
     then,
     untold_length,
 )
-from memorymaze.agents.guide.said_of_legs import counted_since
+from memorymaze.agents.guide.said_of_legs import counted_since, rest_to_come
 from memorymaze.agents.guide.things import Things
 from memorymaze.agents.walking.choices import choices_at
 from memorymaze.agents.walking.floor_map import (
@@ -34,6 +34,7 @@ from memorymaze.agents.walking.floor_map import (
 from memorymaze.agents.walking.outlooks import junction_at_the_end
 from memorymaze.agents.walking.walker import Walker
 from memorymaze.geometry.pose import wrap_angle
+from memorymaze.perception.lexicon import general_words, kin_of
 from memorymaze.routes import Length, RoutePlan, Turn
 from memorymaze.understanding import is_common, is_floor, place_on_sign
 
@@ -50,11 +51,15 @@ CLOSE = 0.7
 BEYOND_SIGN, UNDER_SIGN = 6.0, 2.5
 """Metres to go on at most under a hanging sign that names a place; and under one that was
 told as the destination itself, which may be the place or what leads to it."""
+MOST_WIDER = 4
+"""More general words for a destination that are looked for."""
 INSIDE = 2.0
 """Metres to walk on into a place through its door."""
 
 UNIQUE = 0.08
 """How often a name told of a destination is met elsewhere, beside other things."""
+NTH = 3.0, 0.3, 0.1
+"""Weights of what is counted rightly, one off, and more."""
 BACK_AT_START = 0.05
 """Weight of a place where one has set off from: nobody is told the way to there."""
 
@@ -100,7 +105,8 @@ class Arrivals:
         self._floor = floor
         self._model = model
         self._things = things
-        self._doors: list[int] = []
+        self._counted: dict[str, list[int]] = {}
+        """Tracks of what bears a name told, in the order in which it was seen."""
         self._is_told_apart = any(is_floor(m.phrase) for m in plan.arrival.mentions)
         """Whether the floor is told that it stands on: then there may be several."""
         self.refuted: set[int] = set()
@@ -117,6 +123,9 @@ class Arrivals:
         told = dict.fromkeys([*self._first, *names])
         self.names = tuple(name for name in told if not is_floor(name))
         """What to look for, the best first."""
+        self._name = names[0] if names else ""
+        self.kin = tuple(each for each in wider(self._name) if each not in told)
+        """More general words, for what is near in meaning: who sees it may call it so."""
 
     def endings(self, belief: Belief) -> list[Ending]:
         """Return all places to arrive at."""
@@ -180,9 +189,9 @@ class Arrivals:
         """Yield what is in sight along a way that was not walked yet."""
         crossing = self._floor.crossings[frontier.at]
         heading = crossing.exits[frontier.exit]
-        for phrase in self.names:
+        for phrase in (*self.names, *self.kin):
             for sighting in self._floor.seen_ahead(phrase, frontier.at, heading):
-                if sighting.track in self.refuted:
+                if not self._may_be_it(sighting):
                     continue
                 along = math.dist(crossing.place, sighting.place)
                 end = (
@@ -251,45 +260,86 @@ class Arrivals:
     def here(self, segment: Segment, sighting: Sighting, walked: float) -> Weights:
         """Weigh an alignment with this, just seen on its way, as its destination."""
         to_come = self._legs - segment.leg
-        weights = segment.weights
-        for _ in range(to_come):
-            weights = then(weights, 0.0, self._model.no_turn, self._model.again)
+        weights = self._with_legs_missing(segment)
         if not to_come:
             weights = weights * self._fit(segment, walked + sighting.distance)
         return weights * self.seen(sighting)
 
+    def beyond(self, segment: Segment, sighting: Sighting, walked: float) -> Weights:
+        """Weigh an alignment with another of the same name as its destination, further on.
+
+        A place has signs and more than one door.
+        """
+        nth = self._arrival.nth
+        later = self._base(sighting) * self._model.name_again
+        if nth is not None and nth > 0:
+            later *= NTH[self._number_of(sighting) + 1 >= nth]
+        weights = self._with_legs_missing(segment)
+        length = self._arrival.length
+        if segment.leg == self._legs and length is not None and not segment.lost:
+            there = walked + sighting.distance
+            line = (*segment.line, sighting.place)
+            further = replace(segment, walked=segment.walked + there, line=line)
+            weights = weights * rest_to_come(self._model, self._things, further, length)
+        return weights * later
+
+    def _with_legs_missing(self, segment: Segment) -> Weights:
+        weights = segment.weights
+        for _ in range(self._legs - segment.leg):
+            weights = then(weights, 0.0, self._model.no_turn, self._model.again)
+        return weights
+
     def seen(self, sighting: Sighting, line: tuple[Point, ...] = ()) -> float:
         """Weigh something seen as the destination, by who walks along a line."""
-        model, arrival = self._model, self._arrival
+        arrival = self._arrival
+        ratio = self._base(sighting)
+        ratio *= self._things.side_ratio(arrival.side, sighting, line)
+        if arrival.side == "ahead" and is_common(sighting.phrase):
+            ratio *= 1.3 if sighting.side == "ahead" else 0.6
+        if arrival.nth is not None and arrival.nth > 0:
+            off = abs(self._number_of(sighting) + 1 - arrival.nth)
+            if off or self.only_names(sighting):
+                return min(ratio, 1.0) * NTH[min(max(off, 1), 2)]
+            ratio *= NTH[0]
+        return ratio
+
+    def _base(self, sighting: Sighting) -> float:
+        model = self._model
         rate, most = self._things.rate(sighting.phrase), MOST_SEEN
-        if not is_common(sighting.phrase) and not self._is_told_apart:
+        if sighting.phrase in self.kin:
+            rate = max(rate, model.common_rate)
+        elif not is_common(sighting.phrase) and not self._is_told_apart:
             rate, most = UNIQUE * rate, MOST_SEEN / UNIQUE
-        ratio = seen_ratio(model, rate, REACH, sighting.score, most)
+        there = (1 - model.misnamed) * model.detected * sighting.score
+        ratio = seen_ratio(rate, REACH, there, most)
         if sighting.phrase not in self._first:
             ratio **= 0.6
         if self.only_names(sighting):
             ratio **= 0.7
-        ratio *= self._things.side_ratio(arrival.side, sighting, line)
-        if arrival.side == "ahead" and is_common(sighting.phrase):
-            ratio *= 1.3 if sighting.side == "ahead" else 0.6
-        if is_common(sighting.phrase) and arrival.nth is not None and arrival.nth > 0:
-            ratio *= self._nth(sighting)
         return ratio
 
-    def _nth(self, sighting: Sighting) -> float:
-        """Weigh `the third door on the left` against those counted so far."""
-        if sighting.side != self._arrival.side and self._arrival.side != "ahead":
-            return 1.0
-        if sighting.track not in self._doors:
-            self._doors.append(sighting.track)
-        off = abs(self._doors.index(sighting.track) + 1 - (self._arrival.nth or 1))
-        return (3.0, 0.5, 0.15)[min(off, 2)]
+    def _number_of(self, sighting: Sighting) -> int:
+        """Return how many others of a name told were seen before one, without signs."""
+        counted = self._counted.setdefault(sighting.phrase, [])
+        if sighting.track in counted:
+            return counted.index(sighting.track)
+        on_side = sighting.side in {self._arrival.side, "ahead"}
+        if self.only_names(sighting) or not (
+            on_side or self._arrival.side in {None, "ahead"}
+        ):
+            return len(counted)
+        counted.append(sighting.track)
+        return len(counted) - 1
 
     def _sightings(self) -> Iterator[Sighting]:
-        for phrase in self.names:
-            for sighting in self._floor.seen(phrase):
-                if sighting.track not in self.refuted:
-                    yield sighting
+        for phrase in (*self.names, *self.kin):
+            yield from filter(self._may_be_it, self._floor.seen(phrase))
+
+    def _may_be_it(self, sighting: Sighting) -> bool:
+        if sighting.track in self.refuted:
+            return False
+        is_told = sighting.phrase not in self.kin
+        return is_told or is_kin(sighting.label, self._name)
 
     def only_names(self, sighting: Sighting) -> bool:
         """A sign that says `Library` is not the library."""
@@ -420,6 +470,22 @@ def with_door(names: tuple[str, ...]) -> tuple[str, ...]:
     if names and names[0].split()[-1] in _ROOMS and is_common(names[0]):
         return ("door", *names)
     return names
+
+
+def wider(phrase: str) -> tuple[str, ...]:
+    """Return more general words for a thing; none for what is told by a name of its own.
+
+    >>> "furniture" in wider("information counter")
+    True
+    """
+    if not phrase.islower() or is_common(phrase) or is_sign(phrase):
+        return ()
+    return general_words(phrase.split()[-1])[:MOST_WIDER]
+
+
+def is_kin(label: str, phrase: str) -> bool:
+    """Tell whether what is seen may be what somebody calls by another word."""
+    return label.split()[-1] in kin_of(phrase.split()[-1])
 
 
 def variants(phrase: str) -> list[str]:

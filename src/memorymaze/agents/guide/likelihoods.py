@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import product
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -67,14 +68,20 @@ class Likelihoods:
     # -- counts
     count_right: float = 0.85
     """That a count is right."""
+    passed_right: float = 0.7
+    """The same of openings said to be passed."""
     one_side: float = 0.75
     """That a speaker counts the openings of one side, not of both."""
     # -- kinds of place
     kind_right: float = 0.85
     """That the kind of junction, the end of the way or a bend is told rightly."""
     # -- things
-    invented: float = 0.45
-    """That a thing said is not there, or was read wrongly."""
+    careful: float = 0.6
+    """That a speaker, and who read the words, is careful about things."""
+    invented: float = 0.1
+    """That a thing a careful one says is not there, or was read wrongly."""
+    invented_carelessly: float = 0.65
+    """The same of another one."""
     detected: float = 0.8
     """That a thing that is there is seen from the way."""
     side_right: float = 0.75
@@ -86,8 +93,12 @@ class Likelihoods:
     rare_rate: float = 0.004
     """The same of any other thing."""
     # -- the destination
+    misnamed: float = 0.45
+    """That what is told of the destination is not what is there, or was read wrongly."""
     sign_right: float = 0.75
     """That the way told is the one to which a sign points."""
+    name_again: float = 0.15
+    """That a name seen is seen again further on, where the place meant is."""
     passed_by: float = 0.12
     """That a destination that is there is not noticed."""
     arrival_open: float = 0.35
@@ -96,18 +107,16 @@ class Likelihoods:
     @property
     def speakers(self) -> Weights:
         """How likely each speaker is, before a word; all without an error."""
-        factors = np.array([factor for _, factor in SPEAKERS])
-        rows = np.exp(-0.5 * (factors / self.factor_sd) ** 2)
-        rows *= np.array([
-            self.one_side if side else 1 - self.one_side for side, _ in SPEAKERS
-        ])
+        rows = np.exp(-0.5 * (_FACTOR_ROW / self.factor_sd) ** 2)
+        rows *= np.where(_ONE_SIDE, self.one_side, 1 - self.one_side)
+        rows *= np.where(_CAREFUL, self.careful, 1 - self.careful)
         return np.stack([rows / rows.sum(), np.zeros(len(SPEAKERS))])
 
 
 FACTORS = (-0.5, -0.25, 0.0, 0.25, 0.5)
-SPEAKERS = tuple(product((True, False), FACTORS))
-"""Whether a speaker counts the openings of one side only, and the logarithm of the factor
-by which the lengths said are too long."""
+SPEAKERS = tuple(product((True, False), FACTORS, (True, False)))
+"""Whether a speaker counts the openings of one side only, the logarithm of the factor by
+which the lengths said are too long, and whether the things said are mostly there."""
 
 WAY_METRES = 12.0
 """Length of the ways between two turns, in the middle."""
@@ -121,11 +130,13 @@ MOST_SEEN = 30.0
 """What one thing that was seen weighs at most."""
 FEWEST_METRES = 1.5
 """Shorter ways are told like this one."""
+LEAST_SAID, LEAST_BEYOND = 0.02, 1e-3
+"""How likely a length is said, and a way is longer, at least: nothing weighs without end."""
+MOST_TOLD, MOST_BEYOND = 50, 12
+"""Greater numbers told are like this one; and numbers beyond the one told that are told
+apart."""
 
-_FACTOR_ROW = np.array([factor for _, factor in SPEAKERS])
-_ONE_SIDE = np.array([one for one, _ in SPEAKERS])
-_COUNTS = (0.5, 0.25, 0.13, 0.07, 0.03)
-"""How often speakers say first, second, third, …, whatever the way."""
+_ONE_SIDE, _FACTOR_ROW, _CAREFUL = map(np.array, zip(*SPEAKERS, strict=True))
 
 
 def then(
@@ -151,8 +162,9 @@ def length_ratio(
     """
     if length.unit == "places":
         count = length.count or length.metres / PLACE_METRES
-        off = min(abs(places - count), abs(junctions - count))
-        return np.full(len(SPEAKERS), _count_right(model, off) / 0.25)
+        said = _count(model.count_right, (max(round(count) - 1, 0),))
+        ratio = max(said.at(max(each - 1, 0)) for each in (places, junctions))
+        return np.full(len(SPEAKERS), ratio)
     spread = _spread(model, length)
     return _said_over_any(model, _log_metres(length.metres), spread, walked)
 
@@ -162,15 +174,13 @@ def length_to_come(
 ) -> Weights:
     """Weigh a length said against a stretch that is as long already, or longer.
 
-    By Bayes: how likely a way goes on that far given what was said, over how likely any
-    does.
+    The mean of what it weighs against all lengths that the stretch may come to have: how
+    likely a way goes on that far given what was said, over how likely any does.
     """
     if length.unit == "places":
         count = length.count or length.metres / PLACE_METRES
-        off = max(places + 1 - count, 0.0)
-        return np.full(len(SPEAKERS), min(_count_right(model, off) / 0.25, 1.0))
-    if walked < FEWEST_METRES:
-        return np.ones(len(SPEAKERS))
+        said = _count(model.count_right, (max(round(count) - 1, 0),))
+        return np.full(len(SPEAKERS), said.beyond(places))
     spread = _spread(model, length)
     return _survival_ratio(model, _log_metres(length.metres), spread, walked)
 
@@ -186,27 +196,38 @@ def _said_over_any(
     model: Likelihoods, said: float, spread: float, walked: float
 ) -> Weights:
     true = math.log(max(walked, FEWEST_METRES))
-    rest = (said - true - _FACTOR_ROW) / spread
-    right = np.exp(-0.5 * rest * rest) / spread
-    whole = math.hypot(spread, model.way_log_sd)
-    off = (said - math.log(WAY_METRES)) / whole
-    any_way = max(math.exp(-0.5 * off * off) / whole, 0.05)
+    right = _density((said - true - _FACTOR_ROW) / spread) / spread
+    any_way = _said_of_any(model, said, spread)
     return (1 - model.length_outlier) * right / any_way + model.length_outlier
 
 
 def _survival_ratio(
     model: Likelihoods, said: float, spread: float, walked: float
 ) -> Weights:
-    true = math.log(max(walked, FEWEST_METRES))
     prior, noise = model.way_log_sd**2, spread**2
-    mean = (prior * (said - _FACTOR_ROW) + noise * math.log(WAY_METRES)) / (
-        prior + noise
-    )
-    sd = math.sqrt(prior * noise / (prior + noise))
-    on = np.array([_beyond((true - each) / sd) for each in mean])
-    any_on = max(_beyond((true - math.log(WAY_METRES)) / model.way_log_sd), 1e-3)
-    ratio = np.minimum(on / any_on, 1.5)
+    centre, whole = math.log(WAY_METRES), math.hypot(spread, model.way_log_sd)
+    ratio = _density((said - centre - _FACTOR_ROW) / whole) / whole
+    ratio /= _said_of_any(model, said, spread)
+    if walked > FEWEST_METRES:
+        true = math.log(walked)
+        mean = (prior * (said - _FACTOR_ROW) + noise * centre) / (prior + noise)
+        sd = math.sqrt(prior * noise / (prior + noise))
+        on = np.array([_beyond((true - each) / sd) for each in mean])
+        ratio *= on / max(_beyond((true - centre) / model.way_log_sd), LEAST_BEYOND)
     return (1 - model.length_outlier) * ratio + model.length_outlier
+
+
+def _said_of_any(model: Likelihoods, said: float, spread: float) -> float:
+    """Return how likely a length is said of any way, by any speaker."""
+    whole = math.hypot(spread, model.way_log_sd)
+    off = (said - math.log(WAY_METRES) - _FACTOR_ROW) / whole
+    density = _density(off) / whole
+    return max(float((model.speakers[0] * density).sum()), LEAST_SAID)
+
+
+def _density(z: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the normal density, without its constant."""
+    return np.exp(-0.5 * z * z)
 
 
 def _beyond(z: float) -> float:
@@ -236,38 +257,24 @@ def ordinal_ratio(
     if turn.ordinal == -1:
         right = model.kind_right
         return (1 - right) * 2 if choices.forward is not None else 2 * right
-    told = [turn.ordinal] + ([turn.or_ordinal] if turn.or_ordinal else [])
-    one = max(_nth(model, each, on_side) for each in told)
-    both = max(_nth(model, each, of_all) for each in told)
-    return np.where(_ONE_SIDE, one, both)
+    count = _count(model.count_right, _ordinals(turn))
+    return np.where(_ONE_SIDE, count.at(on_side - 1), count.at(of_all - 1))
 
 
 def ordinal_to_come(
     model: Likelihoods, turn: Turn, on_side: int, of_all: int
 ) -> Weights:
-    """Weigh a count against so many openings that were passed already."""
+    """Weigh a count where so many openings were passed already, and the turn is to come."""
     if turn.ordinal is None or turn.ordinal < 0:
         return np.ones(len(SPEAKERS))
-    told = max(turn.ordinal, turn.or_ordinal or 0)
-
-    def ratio(met: int) -> float:
-        return min(_nth(model, told, met + 1), 1.0) if met >= told else 1.0
-
-    return np.where(_ONE_SIDE, ratio(on_side), ratio(of_all))
+    count = _count(model.count_right, _ordinals(turn))
+    return np.where(_ONE_SIDE, count.beyond(on_side), count.beyond(of_all))
 
 
-def _nth(model: Likelihoods, told: int, met: int) -> float:
-    usual = _COUNTS[min(told, len(_COUNTS)) - 1]
-    return _count_right(model, abs(met - told)) / max(usual, 0.07)
-
-
-def _count_right(model: Likelihoods, off: float) -> float:
-    if off < 0.5:
-        return model.count_right
-    wrong = 1.0 - model.count_right
-    if off < 1.5:
-        return ONE_OFF * wrong
-    return max((1.0 - ONE_OFF) * wrong, 0.01) / off
+def _ordinals(turn: Turn) -> tuple[int, ...]:
+    """Return how many openings are passed before the one told, in each reading."""
+    told = (turn.ordinal, turn.or_ordinal)
+    return tuple(each - 1 for each in told if each is not None)
 
 
 def passings_ratio(
@@ -288,14 +295,52 @@ def passings_ratio(
         if passing.count is not None:
             told[passing.side] = told.get(passing.side, 0) + passing.count
     ratio = 1.0
-    for side, count in told.items():
+    for side, number in told.items():
         met = left if side == "left" else right if side == "right" else crossings
-        if met == count or (going_on and met < count):
-            ratio *= 1.6
-        else:
-            off = count - met if count > met else 0.5 * (met - count)
-            ratio *= max(1.0 - 0.45 * off, 0.12)
+        count = _count(model.passed_right, (number,))
+        ratio *= count.beyond(met) if going_on else count.at(met)
     return ratio
+
+
+class _Count:
+    """How a number said weighs for each number that may be true.
+
+    One is the half as often true as the one before it. What is to come is worth the mean
+    of what it may turn out to be.
+    """
+
+    def __init__(self, right: float, told: tuple[int, ...]) -> None:
+        told = tuple(min(each, MOST_TOLD) for each in told)
+        numbers = np.arange(max(told) + MOST_BEYOND)
+        usual = 0.5 ** (numbers + 1.0)
+        usual[-1] *= 2
+        said = [
+            max(_count_right(right, abs(int(n) - each)) for each in told)
+            for n in numbers
+        ]
+        ratios = np.array(said) / float((usual * said).sum())
+        beyond = (usual * ratios)[::-1].cumsum() / usual[::-1].cumsum()
+        self._at, self._beyond = ratios.tolist(), beyond[::-1].tolist()
+
+    def at(self, number: int) -> float:
+        """Weigh that so many it is."""
+        return float(self._at[min(number, len(self._at) - 1)])
+
+    def beyond(self, number: int) -> float:
+        """Weigh that so many it is, or more."""
+        return float(self._beyond[min(number, len(self._beyond) - 1)])
+
+
+_count = lru_cache(maxsize=1024)(_Count)
+
+
+def _count_right(right: float, off: float) -> float:
+    if off < 0.5:
+        return right
+    wrong = 1.0 - right
+    if off < 1.5:
+        return ONE_OFF * wrong
+    return max((1.0 - ONE_OFF) * wrong, 0.01) / off
 
 
 # -- turns and kinds of place
@@ -349,21 +394,72 @@ def junction_ratio(model: Likelihoods, turn: Turn, choices: Choices) -> float:
 # -- things
 
 
+class Heard(NamedTuple):
+    """What something weighs if it is said by a careful speaker, and by another one."""
+
+    careful: float
+    careless: float
+
+    def __mul__(self, other: object) -> "Heard":  # pyright: ignore[reportIncompatibleMethodOverride]
+        """Weigh two things said, or one of them by a number."""
+        if isinstance(other, Heard):
+            return Heard(self.careful * other.careful, self.careless * other.careless)
+        assert isinstance(other, float | int)
+        return Heard(self.careful * other, self.careless * other)
+
+    def __pow__(self, power: float) -> "Heard":
+        """Weigh it more, or less."""
+        return Heard(self.careful**power, self.careless**power)
+
+    def or_else(self, other: "Heard", chance: float) -> "Heard":
+        """Weigh what is so with some chance, and else is another thing."""
+        return Heard(
+            chance * self.careful + (1 - chance) * other.careful,
+            chance * self.careless + (1 - chance) * other.careless,
+        )
+
+    @property
+    def of_all(self) -> Weights:
+        """Of every speaker there may be."""
+        return np.where(_CAREFUL, self.careful, self.careless)
+
+
+NOTHING = Heard(1.0, 1.0)
+
+
 @lru_cache(maxsize=4096)
 def seen_ratio(
-    model: Likelihoods, rate: float, reach: float, score: float, most: float = MOST_SEEN
+    rate: float,
+    reach: float,
+    there: float,
+    most: float = MOST_SEEN,
 ) -> float:
     """Weigh that a thing said was seen where it should be.
 
     `rate` is how often such a thing is met per metre in this building, `reach` the metres
-    of way on which it would count.
+    of way on which it would count, `there` how likely it is seen if it was said.
     """
     by_chance = 1.0 - math.exp(-rate * reach)
-    there = (1 - model.invented) * model.detected * score
     ratio = (there + (1 - there) * by_chance) / by_chance
     return min(ratio, most)
 
 
-def unseen_ratio(model: Likelihoods) -> float:
+def seen_as_said(
+    model: Likelihoods, rate: float, reach: float, detected: float
+) -> Heard:
+    """Weigh that a thing said was seen where it should be, for each kind of speaker.
+
+    `detected` is how likely it is seen if it is there.
+    """
+    return Heard(
+        seen_ratio(rate, reach, (1 - model.invented) * detected),
+        seen_ratio(rate, reach, (1 - model.invented_carelessly) * detected),
+    )
+
+
+def not_seen(model: Likelihoods, detected: float) -> Heard:
     """Weigh that it was not seen though it was looked for: overlooked, or invented."""
-    return (1 - model.invented) * (1 - model.detected) + model.invented
+    return Heard(
+        1 - (1 - model.invented) * detected,
+        1 - (1 - model.invented_carelessly) * detected,
+    )

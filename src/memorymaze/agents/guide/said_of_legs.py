@@ -90,59 +90,64 @@ class SaidOfLegs:
             fine = fine * untold_length(model, segment.walked)
         if not leg.on_the_spot and not segment.walked:
             fine = fine * 0.13
-        right = weights * (1 - model.wrong_place) * fine
-        after = self.things.weigh(
-            right,
+        right = self.things.weigh(
+            weights * fine,
             number,
             segment.line,
             segment.asked or frozenset(),
             segment.line[-1],
             segment.at,
         )
-        after[1] += model.wrong_place * (weights[0] + model.again * weights[1])
+        return self._or_elsewhere(weights, right)
+
+    def _or_elsewhere(self, weights: Weights, right: Weights) -> Weights:
+        """Weigh that all is right that is said of where to turn, or all wrong."""
+        wrong = self.model.wrong_place
+        after = (1 - wrong) * right
+        after[1] += wrong * (weights[0] + self.model.again * weights[1])
         return after
 
     def to_come(self, segment: Segment, exit: int) -> Weights:
         """Weigh what was said of the present leg against its going on beyond here."""
         leg = self.leg_of(segment)
         ahead = self.things.ahead(segment.leg, segment.line, segment.at, exit)
-        weights = segment.weights * ahead
+        so_far = self.things.so_far(segment.leg, segment.line)
+        weights = segment.weights * ahead * so_far
         if leg is None:
-            weights = weights * self.things.so_far(segment.leg, segment.line)
             length = self.plan.arrival.length
             if length is None:
                 return weights * untold_length(self.model, segment.walked)
-            return weights * np.sqrt(self._rest_to_come(segment, length))
+            return weights * rest_to_come(self.model, self.things, segment, length)
         ratio = np.ones(weights.shape[1])
         length = length_of(leg)
         if length is None:
             ratio = ratio * untold_length(self.model, segment.walked)
         else:
-            ratio = ratio * self._rest_to_come(segment, length)
+            ratio = ratio * rest_to_come(self.model, self.things, segment, length)
         since = counted_since(self.things, segment, leg.turn.counted_after)
         if since is not None:
             ratio = ratio * ordinal_to_come(
                 self.model, leg.turn, _on_side(since, leg), since.junctions
             )
-        ratio = ratio * self.things.so_far(segment.leg, segment.line)
-        ratio = ratio * min(
-            passings_ratio(
-                self.model,
-                leg.passings,
-                segment.left,
-                segment.right,
-                segment.junctions,
-                going_on=True,
-            ),
-            1.0,
+        ratio = ratio * passings_ratio(
+            self.model,
+            leg.passings,
+            segment.left,
+            segment.right,
+            segment.junctions,
+            going_on=True,
         )
-        return weights * np.maximum(ratio, self.model.wrong_place)
+        return self._or_elsewhere(weights, weights * ratio)
 
-    def _rest_to_come(self, segment: Segment, length: Length) -> Weights:
-        since = counted_since(self.things, segment, length.after)
-        if since is None:
-            return np.ones(segment.weights.shape[1])
-        return length_to_come(self.model, length, since.metres, since.places)
+
+def rest_to_come(
+    model: Likelihoods, things: Things, segment: Segment, length: Length
+) -> Weights:
+    """Weigh a length said where the stretch goes on beyond here."""
+    since = counted_since(things, segment, length.after)
+    if since is None:
+        return np.ones(segment.weights.shape[1])
+    return length_to_come(model, length, since.metres, since.places)
 
 
 def counted_since(

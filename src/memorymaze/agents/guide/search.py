@@ -35,6 +35,10 @@ from memorymaze.routes import RoutePlan
 MOST_PHRASES, LIKELY_ENOUGH = 15, 0.02
 """Things looked for at a time, and how likely a leg has to be for its things to count."""
 MOST_DECISIONS = 400
+SEES_MOST = 0.95
+"""Share of what stands beside its way from which on it need not look there."""
+GLANCE_METRES = 2.4
+"""Metres of a wide way, on which the place may be, between two looks beside it."""
 SHORT_OF_THE_END = 1.5
 """Metres before the end of a way at which to stop where nothing was seen of the place."""
 
@@ -222,7 +226,11 @@ class Search:
                     self._of(segment).arrivals.here(segment, sighting, walked).sum()
                     for segment, _ in frontier.alignments
                 )
-                chance = float(there / (there + rest))
+                beyond = sum(
+                    self._of(segment).arrivals.beyond(segment, sighting, walked).sum()
+                    for segment, _ in frontier.alignments
+                )
+                chance = float(there / (there + beyond + rest))
                 if chance >= self._choice.patience.sure:
                     if walker.points_on(sighting):
                         self._tellings.refute(sighting)
@@ -232,6 +240,8 @@ class Search:
             return False
 
         answers: list[tuple[Answer, float]] = []
+        wide = self._may_end_on(frontier) and walker.map.seen_beside < SEES_MOST
+        side, glanced = self._plans[0].arrival.side, [begin]
 
         def told(seen: list[Sighting]) -> bool:
             if self._inquiry is not None:
@@ -240,6 +250,9 @@ class Search:
                     answers.append((answer, walker.travelled - begin))
                     if answer.turned_back or walker.is_in_turning_point:
                         return True
+            if wide and walker.travelled - glanced[-1] >= GLANCE_METRES:
+                glanced.append(walker.travelled)
+                seen = [*seen, *walker.glance(self._tellings.names, side)]
             return arrived(seen)
 
         stretch = walker.follow_exit(frontier.exit, self._phrases(frontier), told)
@@ -256,6 +269,15 @@ class Search:
             walk_up_to(walker, sighting, self._tellings.names)
             return True
         return False
+
+    def _may_end_on(self, frontier: Frontier) -> bool:
+        """Tell whether all turns are likely made where a way begins."""
+        last = sum(
+            float(weights.sum())
+            for segment, weights in frontier.alignments
+            if segment.leg == self._of(segment).legs
+        )
+        return last >= self._choice.patience.near * frontier.mass
 
     def _situation(self) -> Situation:
         """Return how the episode stands."""
@@ -313,6 +335,7 @@ class Search:
         """Return what to look for on a way: what the likelier alignments await."""
         whole = max(frontier.mass, 1e-300)
         awaited: list[tuple[float, list[str]]] = []
+        kin: list[str] = []
         for number, telling in enumerate(self._tellings.all):
             shares = np.zeros(telling.legs + 1)
             for segment, weights in frontier.alignments:
@@ -321,9 +344,12 @@ class Search:
             for leg in range(telling.legs + 1):
                 near = float(shares[max(leg - 1, 0) : leg + 2].sum())
                 awaited.append((near, telling.things.phrases(leg)))
+            if shares[-1] >= self._choice.patience.near:
+                kin.extend(telling.arrivals.kin)
         awaited.sort(key=lambda each: -each[0])
         likely = [phrases for near, phrases in awaited if near >= LIKELY_ENOUGH]
-        return each_once([self._looks, self._tellings.names, *likely])[:MOST_PHRASES]
+        told = each_once([self._looks, self._tellings.names, *likely])[:MOST_PHRASES]
+        return each_once([told, kin])
 
     # -- ending
 

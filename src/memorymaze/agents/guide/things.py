@@ -5,13 +5,16 @@ from dataclasses import replace
 from itertools import pairwise
 
 from memorymaze.agents.guide.likelihoods import (
+    NOTHING,
+    Heard,
     Likelihoods,
     Weights,
-    seen_ratio,
+    not_seen,
+    seen_as_said,
     then,
-    unseen_ratio,
 )
 from memorymaze.agents.walking.floor_map import (
+    SURELY_AT,
     FloorMap,
     Point,
     Sighting,
@@ -35,8 +38,8 @@ UNSEEN = frozenset({"sound", "smell", "person", "wall"})
 """Kinds of things that need not be in the picture where they were told."""
 BESIDE = 4.5
 """Metres from the line of a stretch within which a thing is on it."""
-AT_CROSSING = 5.0
-"""Metres from a crossing within which a thing is at it."""
+LEAST_REACH = 10.0
+"""Metres of way that one sees along at least."""
 NOT_BEYOND = 1.5
 """Metres beyond the end of a way at which a thing still counts as passed."""
 ON_THE_WAY = 0.5
@@ -83,6 +86,11 @@ class Things:
         counted = len(self._floor.seen(phrase))
         return (usual * BEFORE_ANY + counted) / (BEFORE_ANY + self._floor.metres)
 
+    @property
+    def _detected(self) -> float:
+        """How likely a thing that is there is seen."""
+        return self._model.detected * self._floor.seen_beside
+
     def weigh(
         self,
         weights: Weights,
@@ -111,14 +119,14 @@ class Things:
                 best = self._seen_at(mention, place, line, at)
             else:
                 best = self._seen_along(mention, line)
-            if best:
-                weights = weights * _weaker(best, mention)
+            if best is not None:
+                weights = weights * _weaker(best, mention).of_all
             elif mention.phrase in asked and mention.kind not in UNSEEN:
-                unseen = unseen_ratio(model)
+                unseen = not_seen(model, self._detected)
                 if at_turn and not is_common(mention.phrase):
-                    weights = then(weights, unseen, model.mistaken, model.again)
+                    weights = then(weights, unseen.of_all, model.mistaken, model.again)
                 else:
-                    weights = weights * unseen**ON_THE_WAY
+                    weights = weights * (unseen**ON_THE_WAY).of_all
         return weights
 
     def _floor_ratio(self, mention: Mention, at: int | None) -> float:
@@ -165,18 +173,20 @@ class Things:
                 ratio *= math.sqrt(THIS_FLOOR if fits else OTHER_FLOOR)
         return ratio
 
-    def so_far(self, number: int, line: tuple[Point, ...]) -> float:
+    def so_far(self, number: int, line: tuple[Point, ...]) -> Weights:
         """Weigh the things of a leg that goes on which were met on it already."""
-        ratio = 1.0
+        ratio = NOTHING
         for mention in self._mentions[number]:
             if mention.place not in AT_THE_TURN and not is_floor(mention.phrase):
-                ratio *= _weaker(self._seen_along(mention, line) or 1.0, mention)
-        return ratio
+                ratio *= _weaker(self._seen_along(mention, line) or NOTHING, mention)
+        return ratio.of_all
 
-    def ahead(self, number: int, line: tuple[Point, ...], at: int, exit: int) -> float:
+    def ahead(
+        self, number: int, line: tuple[Point, ...], at: int, exit: int
+    ) -> Weights:
         """Weigh the things of a leg that are in sight along a way not walked yet."""
         crossing = self._floor.crossings[at]
-        ratio = 1.0
+        ratio = NOTHING
         for mention in self._mentions[number]:
             if is_floor(mention.phrase):
                 continue
@@ -186,30 +196,41 @@ class Things:
             met = self._met_along(mention.phrase, line)
             if all(each in ahead for each in met):
                 nearest = min(ahead, key=lambda e: math.dist(e.place, crossing.place))
-                reach = max(math.dist(nearest.place, crossing.place), 2 * AT_CROSSING)
+                reach = max(math.dist(nearest.place, crossing.place), LEAST_REACH)
                 rate = self.rate(mention.phrase)
-                seen = seen_ratio(self._model, rate, reach, nearest.score)
+                seen = seen_as_said(
+                    self._model, rate, reach, self._detected * nearest.score
+                )
                 ratio *= _weaker(seen, mention)
-        return ratio
+        return ratio.of_all
 
     def _seen_at(
         self, mention: Mention, place: Point, line: tuple[Point, ...], at: int | None
-    ) -> float:
-        """Weigh that a thing was seen where a way ends; 0 where it was not.
+    ) -> Heard | None:
+        """Weigh that a thing was seen where a way ends; None where it was not.
 
         One that is seen some way down a way not walked yet tells nothing: there may be
         a place to turn beside it.
         """
+        rim = self._floor.rim_of(at)
         near = [
-            each
+            (each, nearness)
             for each in self._floor.seen(mention.phrase)
-            if math.dist(each.place, place) <= AT_CROSSING
-            and self._floor.is_at(each.place, place)
+            if (nearness := self._floor.nearness(each.place, place, rim)) > 0
         ]
-        here = [each for each in near if at is None or not self._is_on(each, at)]
+        here = [each for each in near if at is None or not self._is_on(each[0], at)]
         if near and not here:
-            return 1.0
-        return self._best(mention, here, 2 * AT_CROSSING, line)
+            return NOTHING
+        rate, reach = self.rate(mention.phrase), 2 * (rim + SURELY_AT)
+        missed = not_seen(self._model, self._detected)
+        seen = (
+            seen_as_said(self._model, rate, reach, self._detected * each.score).or_else(
+                missed, nearness
+            )
+            * self.side_ratio(mention.side, each, line)
+            for each, nearness in here
+        )
+        return max(seen, default=None)
 
     def _is_on(self, sighting: Sighting, at: int) -> bool:
         """Tell whether a thing is on a way out of a crossing that was not walked yet."""
@@ -220,8 +241,8 @@ class Things:
             if exit not in self._floor.crossings[at].closed
         )
 
-    def _seen_along(self, mention: Mention, line: tuple[Point, ...]) -> float:
-        """Weigh that a thing was seen along a way; 0 where it was not."""
+    def _seen_along(self, mention: Mention, line: tuple[Point, ...]) -> Heard | None:
+        """Weigh that a thing was seen along a way; None where it was not."""
         met = self._met_along(mention.phrase, line)
         if mention.place == "passed":
             met = [each for each in met if _passed_at(each.place, line) is not None]
@@ -247,15 +268,14 @@ class Things:
         near: list[Sighting],
         reach: float,
         line: tuple[Point, ...],
-    ) -> float:
-        if not near:
-            return 0.0
+    ) -> Heard | None:
         rate = self.rate(mention.phrase)
-        return max(
-            seen_ratio(self._model, rate, reach, each.score)
+        seen = (
+            seen_as_said(self._model, rate, reach, self._detected * each.score)
             * self.side_ratio(mention.side, each, line)
             for each in near
         )
+        return max(seen, default=None)
 
     def side_ratio(
         self, told: Side | None, sighting: Sighting, line: tuple[Point, ...]
@@ -307,9 +327,9 @@ def _passed_at(place: Point, line: tuple[Point, ...]) -> float | None:
     return passed if passed <= begun + NOT_BEYOND else None
 
 
-def _weaker(ratio: float, mention: Mention) -> float:
+def _weaker(ratio: Heard, mention: Mention) -> Heard:
     """What a turn leads to is mostly behind it, so it says less of the place."""
-    return math.sqrt(ratio) if mention.place == "target" else ratio
+    return ratio**0.5 if mention.place == "target" else ratio
 
 
 def _length(line: tuple[Point, ...]) -> float:

@@ -9,6 +9,7 @@ import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
+from statistics import median
 
 from memorymaze.geometry.pose import wrap_angle
 from memorymaze.understanding import ANY_FLOOR, is_floor
@@ -26,6 +27,20 @@ SEES_FAR = 6.0
 """Metres; who has seen something so far away sees far."""
 AT_CROSSING = 2.5
 """Metres within which it is, whatever other crossings there are."""
+USUAL_RIM = 1.2
+"""Metres from the middle of a crossing to its rim, before any was measured."""
+SURELY_AT, NOT_AT = 2.0, 4.5
+"""Metres beyond the rim of a crossing up to which a thing surely is at it, and from which
+on it is not."""
+NEARER = 1.0
+"""Metres by which another crossing has to be nearer for a thing to be there."""
+STRIDE = 0.8
+"""Metres between two looks."""
+LEAST_SIGHT = 4.0
+"""Metres that any robot sees."""
+LEAST_SEEN, ENOUGH_SEEN = 0.25, 5
+"""Share of what stands at walls that is seen however wide the ways are, since some stands
+out; and things that have to be seen before one can tell how wide."""
 NEAR_WAY, IN_LINE = 4.0, 2.5
 """Metres from the middle of a way within which a thing is on it, and who looks along it
 stands."""
@@ -89,6 +104,8 @@ class Crossing:
     """Headings of the ways out, radians; known by their index."""
     closed: set[int] = field(default_factory=set[int])
     """Exits that turned out to lead nowhere."""
+    rim: float | None = None
+    """Metres from the place to where it was entered or left; None before it is known."""
 
     def add_exit(self, heading: float) -> int:
         """Note a way out, unless it is noted; return its index."""
@@ -137,6 +154,7 @@ class FloorMap:
         """By crossing and exit."""
         self.metres = 0.0
         """Of ways walked, each counted once."""
+        self._seen_beside: float | None = None
         self.farthest = 0.0
         """Metres of the farthest sighting: how far this robot sees."""
 
@@ -196,6 +214,51 @@ class FloorMap:
         """Return the views along all ways out of a crossing that were looked along."""
         return [view for (at, _), view in self.views.items() if at == crossing]
 
+    @property
+    def usual_rim(self) -> float:
+        """Metres from the middle of a crossing of this building to its rim, in the middle."""
+        known = [each.rim for each in self.crossings.values() if each.rim is not None]
+        return median(known) if known else USUAL_RIM
+
+    @property
+    def seen_beside(self) -> float:
+        """Share of what stands at the walls of ways that a camera which looks ahead sees.
+
+        It sees 45 degrees to either side, and so far; the walls are about where most of
+        what it saw beside itself was.
+        """
+        if self._seen_beside is None:
+            found = (
+                each.distance * abs(math.sin(each.bearing)) for each in self.sightings
+            )
+            asides = sorted(aside for aside in found if aside > ON_LINE)
+            walls = asides[3 * len(asides) // 4] if len(asides) >= ENOUGH_SEEN else 0.0
+            clear = max(self.farthest, LEAST_SIGHT) * math.sqrt(0.5) - walls
+            self._seen_beside = min(max(clear, LEAST_SEEN), 1.0)
+        return self._seen_beside
+
+    def rim_of(self, crossing: int | None) -> float:
+        """Return the metres from a crossing to its rim, as far as one can tell."""
+        if crossing is None or crossing <= 0:
+            return 0.0
+        known = self.crossings[crossing].rim
+        return self.usual_rim if known is None else known
+
+    def nearness(self, place: Point, crossing_place: Point, rim: float) -> float:
+        """Return how surely a thing stands at a crossing, from 0 to 1.
+
+        Who sees far has seen things of other places, too.
+        """
+        distance = math.dist(place, crossing_place)
+        if self.farthest > SEES_FAR:
+            return float(distance <= AT_CROSSING)
+        if any(
+            math.dist(place, other.place) < distance - NEARER
+            for other in self.crossings.values()
+        ):
+            return 0.0
+        return min(max((rim + NOT_AT - distance) / (NOT_AT - SURELY_AT), 0.0), 1.0)
+
     def is_at(self, place: Point, crossing_place: Point) -> bool:
         """Tell whether a thing stands at a crossing, and not rather at another one."""
         distance = math.dist(place, crossing_place)
@@ -219,6 +282,7 @@ class FloorMap:
     def note(self, sighting: Sighting) -> None:
         """Keep a sighting; of one thing the one from nearest counts."""
         self.farthest = max(self.farthest, sighting.distance)
+        self._seen_beside = None
         _keep_nearest(self._sightings.setdefault(sighting.phrase, {}), sighting)
 
     def note_text(self, text: Sighting) -> None:

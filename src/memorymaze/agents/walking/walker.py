@@ -4,6 +4,7 @@ import math
 from collections.abc import Callable, Iterable
 
 from memorymaze.agents.walking.floor_map import (
+    STRIDE,
     Crossing,
     FloorMap,
     Point,
@@ -16,8 +17,6 @@ from memorymaze.perception.detector import LONGEST_QUERY
 from memorymaze.perception.matching import points_elsewhere
 from memorymaze.robot.api import Detection, Direction, Robot, SignText
 
-STRIDE = 0.8
-"""Metres between two looks."""
 LONG_STRIDE = 1.2
 """Metres between two looks for turning points alone; they are 1.5 m long or more."""
 READING_STRIDE = 1.5
@@ -28,9 +27,9 @@ AHEAD = math.radians(12)
 """A thing that differs less from it lies ahead."""
 BACK = math.radians(155)
 """A way that differs more from the heading is the way back."""
-ENTRY = 1.0
-"""Metres from the rim of a turning point to its middle, before it is known better."""
 
+GLANCES = {"left": math.radians(75), "right": math.radians(-75)}
+"""How far it turns to look beside a way, radians."""
 SAME_SIGN, SAME_SIGN_METRES = math.radians(5), 0.5
 """A text read no farther than this from something seen is what is written on it."""
 
@@ -62,9 +61,12 @@ class Walker:
         """Number of the crossing the robot is at."""
         self.travelled = 0.0
         self._stretch = (0, 0)
+        self._entered: float | None = None
+        """Metres travelled at the rim of the crossing it is in; None where it set off."""
         number = robot.turning_point_id()
         if number is not None:
             self._arrive_in(number)
+            self._entered = None
 
     # -- walking
 
@@ -97,6 +99,8 @@ class Walker:
             result = self._robot.move_forward(STRIDE if wanted else LONG_STRIDE)
             self._advance(result.distance)
             number = self._robot.turning_point_id()
+            if not outside and number != start.number:
+                self._note_rim(start)
             if number is None:
                 outside = True
             elif number != start.number or (outside and start.number > 0):
@@ -235,20 +239,27 @@ class Walker:
         )
         self.travelled += distance
 
+    def _note_rim(self, crossing: Crossing) -> None:
+        """Take note how far it was through a crossing that the robot left just now."""
+        if crossing.number > 0 and self._entered is not None:
+            crossing.rim = (self.travelled - self._entered) / 2
+
     def _arrive_in(self, number: int) -> None:
         """Take note of a turning point and of the ways out of it."""
         known = self.map.crossings.get(number)
         if known is None:
             x, y = self.place
+            inside = self.map.usual_rim - STRIDE / 2
             middle = (
-                x + ENTRY * math.cos(self.heading),
-                y + ENTRY * math.sin(self.heading),
+                x + inside * math.cos(self.heading),
+                y + inside * math.sin(self.heading),
             )
             known = Crossing(number, middle)
             self.map.crossings[number] = known
         else:
             self.place = known.place
         self.at = number
+        self._entered = self.travelled
         self._note_exits(known)
 
     def _note_exits(self, crossing: Crossing) -> None:
@@ -330,7 +341,7 @@ class Walker:
         self.survey(phrases)
 
     def survey(self, phrases: Iterable[str]) -> None:
-        """Look along every way out of the crossing the robot is at."""
+        """Look along every way out of the crossing the robot is at that it did not walk."""
         wanted = tuple(dict.fromkeys(phrases))
         crossing = self.map.crossings[self.at]
         order = sorted(
@@ -339,13 +350,28 @@ class Walker:
         )
         for exit in order:
             view = self.map.views.get((crossing.number, exit))
-            if exit in crossing.closed or (
-                view is not None and view.asked.issuperset(wanted)
+            if (
+                exit in crossing.closed
+                or (crossing.number, exit) in self.map.stretches
+                or (view is not None and view.asked.issuperset(wanted))
             ):
                 continue
             if self.face(exit):
                 self._stretch = (self.at, exit)
                 self.map.note_view(self.at, exit, wanted, self.look(wanted))
+
+    def glance(self, phrases: Iterable[str], side: str | None) -> list[Sighting]:
+        """Look to a side, or to both, and face on; return what points nowhere else.
+
+        A camera that looks ahead sees little of what stands beside a wide way.
+        """
+        wanted, ahead = list(phrases), self.heading
+        seen: list[Sighting] = []
+        for angle in [GLANCES[side]] if side in GLANCES else GLANCES.values():
+            self.turn_by(math.degrees(wrap_angle(ahead + angle - self.heading)))
+            seen += [each for each in self.look(wanted) if not self.points_on(each)]
+        self.turn_by(math.degrees(wrap_angle(ahead - self.heading)))
+        return seen
 
     def points_on(self, seen: Sighting) -> bool:
         """Tell whether what was just seen is a sign that points to somewhere else."""

@@ -1,0 +1,58 @@
+"""What the sketch map tells of crossings, and of what one can see beside a way."""
+
+import math
+
+import pytest
+
+from memorymaze.agents.walking.floor_map import Crossing, FloorMap, Sighting
+
+
+@pytest.mark.parametrize(
+    ("metres", "rim", "sure"), [(2.5, 1.0, 1.0), (4.5, 3.0, 1.0), (4.5, 1.0, 0.4)]
+)
+def test_what_stands_by_the_rim_of_a_crossing_is_at_it_however_wide_that_is(
+    metres: float, rim: float, sure: float
+) -> None:
+    floor = FloorMap()
+    assert floor.nearness((metres, 0.0), (0.0, 0.0), rim) == pytest.approx(sure)
+
+
+def test_a_thing_is_at_the_nearest_crossing_only() -> None:
+    floor = FloorMap()
+    floor.crossings[1] = Crossing(1, (4.0, 0.0))
+    assert floor.nearness((3.0, 0.0), (4.0, 0.0), 1.0) == 1.0
+    assert floor.nearness((3.0, 0.0), (0.0, 0.0), 1.0) == 0.0
+
+
+def test_crossings_not_yet_measured_are_as_wide_as_those_of_the_building() -> None:
+    floor = FloorMap()
+    for number, rim in ((1, 2.0), (2, 3.0), (3, None)):
+        floor.crossings[number] = Crossing(number, (20.0 * number, 0.0), rim=rim)
+    assert floor.rim_of(2) == 3.0
+    assert floor.rim_of(3) == 2.5
+
+
+@pytest.mark.parametrize(("aside", "share"), [(1.0, 1.0), (2.3, 0.53), (2.8, 0.25)])
+def test_the_wider_a_way_is_the_less_a_camera_sees_that_looks_ahead(
+    aside: float, share: float
+) -> None:
+    floor = FloorMap()
+    assert floor.seen_beside == 1.0
+    for track in range(6):
+        place, seen_from = (track + 3.0, aside), (float(track), 0.0)
+        distance, bearing = math.hypot(3.0, aside), math.atan2(aside, 3.0)
+        floor.note(
+            Sighting(
+                "door",
+                "door",
+                1.0,
+                place,
+                seen_from,
+                distance,
+                track,
+                (0, 0),
+                "left",
+                bearing,
+            )
+        )
+    assert floor.seen_beside == pytest.approx(share, abs=0.02)
