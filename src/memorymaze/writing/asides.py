@@ -45,7 +45,7 @@ def stated_length(metres: float, voice: Voice, rng: np.random.Generator) -> str:
     """Return a length as a speaker remembers it, labelled where it is far off."""
     factor = float(np.exp(rng.normal(0.0, voice.surface.distance)))
     said = metres * factor
-    count = rounded(said / UNIT_METRES[voice.unit])
+    count = rounded_as_told(said / UNIT_METRES[voice.unit])
     meant = count * UNIT_METRES[voice.unit]
     words = f"{count} {voice.unit.removesuffix('s') if count == 1 else voice.unit}"
     about = not voice.spoken and rng.random() < 0.35
@@ -146,7 +146,7 @@ def _passings(
         number += 1
 
 
-def rounded(value: float) -> int:
+def rounded_as_told(value: float) -> int:
     """Round as people do: to ones below ten, then to fives and tens."""
     if value < 10:
         return max(1, round(value))

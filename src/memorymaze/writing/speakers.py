@@ -22,7 +22,7 @@ from memorymaze.routes import (
     RoutePlan,
     Unit,
 )
-from memorymaze.writing.asides import rounded
+from memorymaze.writing.asides import rounded_as_told
 from memorymaze.writing.phrases import phrases
 from memorymaze.writing.steps import Step, StepPlan, ToldStretch
 
@@ -207,7 +207,7 @@ class _Teller:
             said = min(VAGUE, key=lambda each: abs(math.log(each / felt)))
             return Length(said, "vague")
         per = {"steps": STEP_METRES, "time": SECOND_METRES}.get(speaker.unit, 1.0)
-        told = float(rounded(felt / per))
+        told = float(rounded_as_told(felt / per))
         return Length(told * per, speaker.unit, count=told if per != 1.0 else None)
 
     def _named(self, mention: Mention) -> Mention:

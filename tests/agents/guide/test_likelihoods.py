@@ -279,18 +279,6 @@ def test_a_count_to_come_is_worth_the_mean_of_the_openings_it_may_mean(
     assert to_come == pytest.approx(mean, rel=1e-3)
 
 
-@given(st.integers(1, 5), st.integers(0, 7))
-def test_passings_to_come_are_worth_the_mean_of_the_openings_that_may_come(
-    told: int, met: int
-) -> None:
-    said = [Passing(told, "left")]
-    ends = range(met, 40)
-    ratios = [passings_ratio(MODEL, said, n, 0, n) for n in ends]
-    mean = np.average(ratios, weights=[0.5**n for n in ends])
-    to_come = passings_ratio(MODEL, said, met, 0, met, going_on=True)
-    assert to_come == pytest.approx(mean, rel=1e-3)
-
-
 @given(st.floats(0.001, 0.1), st.floats(1, 40), st.floats(0.1, 1))
 def test_a_thing_says_nothing_in_the_mean_of_seeing_it_by_chance_and_not(
     rate: float, reach: float, detected: float

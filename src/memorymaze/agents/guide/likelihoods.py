@@ -68,8 +68,6 @@ class Likelihoods:
     # -- counts
     count_right: float = 0.85
     """That a count is right."""
-    passed_right: float = 0.7
-    """The same of openings said to be passed."""
     one_side: float = 0.75
     """That a speaker counts the openings of one side, not of both."""
     # -- kinds of place
@@ -132,6 +130,8 @@ FEWEST_METRES = 1.5
 """Shorter ways are told like this one."""
 LEAST_SAID, LEAST_BEYOND = 0.02, 1e-3
 """How likely a length is said, and a way is longer, at least: nothing weighs without end."""
+USUAL_COUNT = 0.25
+"""How often a stretch has so many places as are said, whatever the number."""
 MOST_TOLD, MOST_BEYOND = 50, 12
 """Greater numbers told are like this one; and numbers beyond the one told that are told
 apart."""
@@ -162,9 +162,10 @@ def length_ratio(
     """
     if length.unit == "places":
         count = length.count or length.metres / PLACE_METRES
-        said = _count(model.count_right, (max(round(count) - 1, 0),))
-        ratio = max(said.at(max(each - 1, 0)) for each in (places, junctions))
-        return np.full(len(SPEAKERS), ratio)
+        off = min(abs(places - count), abs(junctions - count))
+        return np.full(
+            len(SPEAKERS), _count_right(model.count_right, off) / USUAL_COUNT
+        )
     spread = _spread(model, length)
     return _said_over_any(model, _log_metres(length.metres), spread, walked)
 
@@ -179,8 +180,9 @@ def length_to_come(
     """
     if length.unit == "places":
         count = length.count or length.metres / PLACE_METRES
-        said = _count(model.count_right, (max(round(count) - 1, 0),))
-        return np.full(len(SPEAKERS), said.beyond(places))
+        off = max(places + 1 - count, 0.0)
+        ratio = _count_right(model.count_right, off) / USUAL_COUNT
+        return np.full(len(SPEAKERS), min(ratio, 1.0))
     spread = _spread(model, length)
     return _survival_ratio(model, _log_metres(length.metres), spread, walked)
 
@@ -295,21 +297,24 @@ def passings_ratio(
         if passing.count is not None:
             told[passing.side] = told.get(passing.side, 0) + passing.count
     ratio = 1.0
-    for side, number in told.items():
+    for side, count in told.items():
         met = left if side == "left" else right if side == "right" else crossings
-        count = _count(model.passed_right, (number,))
-        ratio *= count.beyond(met) if going_on else count.at(met)
+        if met == count or (going_on and met < count):
+            ratio *= 1.6
+        else:
+            off = count - met if count > met else 0.5 * (met - count)
+            ratio *= max(1.0 - 0.45 * off, 0.12)
     return ratio
 
 
 class _Count:
     """How a number said weighs for each number that may be true.
 
-    One is the half as often true as the one before it. What is to come is worth the mean
-    of what it may turn out to be.
+    Each is half as often true as the one before it. What is to come is worth the mean of
+    what it may turn out to be.
     """
 
-    def __init__(self, right: float, told: tuple[int, ...]) -> None:
+    def __init__(self, right: float, told: tuple[int, ...], again: float = 0.5) -> None:
         told = tuple(min(each, MOST_TOLD) for each in told)
         numbers = np.arange(max(told) + MOST_BEYOND)
         usual = 0.5 ** (numbers + 1.0)

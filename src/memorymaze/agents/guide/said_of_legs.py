@@ -129,7 +129,7 @@ class SaidOfLegs:
             ratio = ratio * ordinal_to_come(
                 self.model, leg.turn, _on_side(since, leg), since.junctions
             )
-        ratio = ratio * passings_ratio(
+        passings = passings_ratio(
             self.model,
             leg.passings,
             segment.left,
@@ -137,6 +137,7 @@ class SaidOfLegs:
             segment.junctions,
             going_on=True,
         )
+        ratio = ratio * min(passings, 1.0)
         return self._or_elsewhere(weights, weights * ratio)
 
 
