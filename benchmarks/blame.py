@@ -84,7 +84,6 @@ DECIDE = Choice.best
 class FirstMistake:
     """The first decision of a walk that was not the way told."""
 
-    way: ToldWay
     what: str
     """`turned`, `stopped` or `left the place`."""
     probability: float
@@ -163,7 +162,7 @@ class _Witness:
     ) -> None:
         tellings = choice._tellings  # pyright: ignore
         if right is None or not isinstance(step, Frontier):
-            self.found = FirstMistake(self._told, what, math.nan)
+            self.found = FirstMistake(what, math.nan)
             return
         wrong = step.at, step.exit
         key = right.at, right.exit
@@ -188,7 +187,7 @@ class _Witness:
         tellings.update()
         choice.update()
         mended = {name for name, each in nats.items() if now + paid - each < 0}
-        self.found = FirstMistake(self._told, what, share, nats, frozenset(mended))
+        self.found = FirstMistake(what, share, nats, frozenset(mended))
 
 
 class _Watching:
@@ -248,12 +247,12 @@ def main() -> int:
     print(
         Table("The first mistake of walks that were lost", tuple(columns), rows).text()
     )
-    turned = [(way, ok, found) for way, ok, found in walks if found and found.nats]
+    turned = [(ok, found) for _, ok, found in walks if found and found.nats]
     rows = []
     for name in (PRICE, *NEUTRAL):
         row: dict[str, object] = {"evidence": name}
         for label, some in (("lost", False), ("found again", True)):
-            found = [each for _, ok, each in turned if ok is some]
+            found = [each for ok, each in turned if ok is some]
             nats = [each.nats[name] for each in found]
             row[f"{label} nats"] = float(np.mean(nats)) if nats else None
             row[f"{label} mended"] = sum(name in each.mended for each in found)

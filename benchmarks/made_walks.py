@@ -1,8 +1,9 @@
 """Whether agents follow right plans on floors that nobody has seen, by kind of building.
 
 Floors of all kinds are made, and speakers made up for each (`memorymaze.writing.speakers`):
-`all` is all that there is to say, `exact` ones leave out and say nothing that is not so, `people` name, count and measure as people do,
-`errors` make a significant error besides, at the published rates. No text is between:
+`all` is all that there is to say, `exact` ones leave out and say nothing that is not so,
+`people` name, count and measure as people do, `errors` make a significant error besides.
+No text is between:
 `python -m benchmarks.made_walks --agent guide [--speakers people]` (docs/benches.md).
 """
 
@@ -48,7 +49,6 @@ class ToldWay:
     site: Site
     route: Route
     plan: RoutePlan
-    speakers: str
     errors: tuple[str, ...] = ()
     """Kinds of the errors in it."""
 
@@ -99,7 +99,6 @@ def ways_of(
                 site,
                 each.facts.route,
                 said,
-                speakers,
                 tuple(error.kind for error in each.mistakes),
             )
 
