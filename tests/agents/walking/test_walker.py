@@ -44,6 +44,20 @@ def test_a_halt_is_a_place_from_which_ways_lead_on_and_back(
     assert (robot.pose.x, robot.pose.y) == pytest.approx((0, -7), abs=1.0)
 
 
+def test_after_a_look_along_a_slanted_way_it_goes_back_the_way_it_came(
+    scenes: dict[str, Scene],
+) -> None:
+    robot = robot_in(scenes["slanted_crossing"], -7, 0, 0)
+    walker = Walker(robot)
+    walker.follow_exit(0, [])
+    crossing = walker.map.crossings[walker.at]
+    slanted = crossing.find_exit(math.radians(50))
+    assert slanted is not None
+    assert walker.face(slanted)
+    assert walker.go_to(0)
+    assert (robot.pose.x, robot.pose.y) == pytest.approx((-7, 0), abs=1.0)
+
+
 def test_what_is_written_on_the_way_goes_on_the_map_where_it_is_asked_for(
     scenes: dict[str, Scene],
 ) -> None:

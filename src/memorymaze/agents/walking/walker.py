@@ -278,19 +278,19 @@ class Walker:
         if abs(angle) >= BACK or crossing.number <= 0:
             return self._turn("around")
         offered = self._robot.detect_turning_point()
-        words: list[Direction] = sorted(
-            offered, key=lambda word: abs(wrap_angle(_ANGLES[word] - angle))
-        )
-        if not words or abs(wrap_angle(_ANGLES[words[0]] - angle)) > 1.1:
-            if abs(angle) > 2.2:
-                return self._turn("around")
+        word = _nearest(offered, angle)
+        if word is None or _off(word, angle) > 1.1:
             # The way it came is not told of, but it can be turned to.
-            words = ["left" if angle > 0 else "right"]
-        if words[0] == "forward":
+            word = _nearest(_ANGLES, angle) or "around"
+            if word == "around":
+                return self._turn("around")
+        if word == "forward":
             return True
-        turned = self._turn(words[0])
+        turned = self._turn(word)
         if turned:
             crossing.exits[exit] = self.heading
+        elif abs(angle) > 2.2:
+            return self._turn("around")
         return turned
 
     def _turn(self, direction: Direction) -> bool:
@@ -432,3 +432,12 @@ class Walker:
             side,
             bearing,
         )
+
+
+def _nearest(directions: Iterable[Direction], angle: float) -> Direction | None:
+    """Return the direction whose middle differs least from an angle."""
+    return min(directions, key=lambda each: _off(each, angle), default=None)
+
+
+def _off(direction: Direction, angle: float) -> float:
+    return abs(wrap_angle(_ANGLES[direction] - angle))
