@@ -24,6 +24,7 @@ from memorymaze.agents.guide.likelihoods import (
     Likelihoods,
     Weights,
     then,
+    untold_bend,
     way_ratio,
 )
 from memorymaze.agents.guide.said_of_legs import SaidOfLegs
@@ -242,14 +243,13 @@ class Belief:
             base = segment.weights * hint
             if ahead is not None and index == ahead[0]:
                 chance = model.pass_untold if junction else 1.0
-                if abs(angle) > 0.3:
-                    chance *= model.bend_untold
+                chance *= untold_bend(model, angle)
                 if self._plain_turn_fits(segment, choices):
                     chance = model.pass_fitting
                 self._leave(replace(passed, weights=base * chance), index)
             elif not junction:
                 bend = abs(angle) <= SLIGHT
-                chance = model.bend_untold if bend else model.corner_untold
+                chance = untold_bend(model, angle) if bend else model.corner_untold
                 self._leave(replace(passed, weights=base * chance), index)
             else:
                 chance = model.choice_untold if ahead is None else model.turn_untold

@@ -34,8 +34,8 @@ class Likelihoods:
     """The same where the next turn told, about which nothing else is said, fits it."""
     corner_untold: float = 0.5
     """Of a corner without a choice that is not told."""
-    bend_untold: float = 0.87
-    """The same of a slanted one."""
+    bend_untold: float = 0.7
+    """The same of one of 45 degrees; the slighter a bend, the less it counts."""
     choice_untold: float = 0.06
     """Of a turn left out where one has to choose (an error)."""
     turn_untold: float = 0.025
@@ -44,7 +44,7 @@ class Likelihoods:
     """Of a turn told to the wrong side (an error)."""
     no_turn: float = 0.05
     """Of a turn told that there is not (an error)."""
-    no_bend: float = 0.2
+    no_bend: float = 0.1
     """The same where it was told as a bend, or as slight."""
     wrong_place: float = 0.05
     """That all is wrong that is said of where to turn (an error)."""
@@ -82,6 +82,8 @@ class Likelihoods:
     """The same of another one."""
     detected: float = 0.8
     """That a thing that is there is seen from the way."""
+    detected_at_turn: float = 0.55
+    """The same of one that is told at a turn, of which little comes into the picture."""
     side_right: float = 0.75
     """That the side of a thing is told rightly."""
     mistaken: float = 0.04
@@ -122,6 +124,9 @@ UNTOLD_METRES = 30.0
 """From here on a way gets the rarer the longer it is, if no length of it was said."""
 PLACE_METRES = 8.0
 """From one place where one can turn to the next, where only metres are told."""
+BEND = math.radians(45)
+SLANT, SLANT_SD = math.radians(42), math.radians(18)
+"""Of a way told as slight: its usual angle."""
 ONE_OFF = 0.8
 """Of the counts that are wrong so many are one off."""
 MOST_SEEN = 30.0
@@ -363,12 +368,18 @@ def way_ratio(turn: Turn, angle: float) -> float:
     if angle < math.radians(-20):
         return 0.0
     if turn.way.startswith("slight"):
-        return 1.8 if FORWARD < angle <= SLIGHT else 1.0 if angle <= FORWARD else 0.5
+        off = (angle - SLANT) / SLANT_SD
+        return 0.5 + 1.4 * math.exp(-0.5 * off * off)
     if angle <= FORWARD:
         return 0.0
     if angle <= SLIGHT:
         return 1.1 if turn.forced else 0.4
     return 1.8 if angle <= math.radians(125) else 1.1
+
+
+def untold_bend(model: Likelihoods, angle: float) -> float:
+    """Weigh a bend of the way of which nothing was said."""
+    return 1 - (1 - model.bend_untold) * min(abs(angle) / BEND, 2.0)
 
 
 def junction_ratio(model: Likelihoods, turn: Turn, choices: Choices) -> float:

@@ -86,10 +86,14 @@ class Things:
         counted = len(self._floor.seen(phrase))
         return (usual * BEFORE_ANY + counted) / (BEFORE_ANY + self._floor.metres)
 
-    @property
-    def _detected(self) -> float:
-        """How likely a thing that is there is seen."""
-        return self._model.detected * self._floor.seen_beside
+    def _detected(self, *, at_turn: bool = False) -> float:
+        """How likely a thing that is there is seen.
+
+        Of the walls of wide ways much is seen in passing that is not seen from abreast.
+        """
+        if at_turn and not self._floor.sees_far:
+            return self._model.detected_at_turn
+        return self._model.detected * math.sqrt(self._floor.seen_beside)
 
     def weigh(
         self,
@@ -122,7 +126,7 @@ class Things:
             if best is not None:
                 weights = weights * _weaker(best, mention).of_all
             elif mention.phrase in asked and mention.kind not in UNSEEN:
-                unseen = not_seen(model, self._detected)
+                unseen = not_seen(model, self._detected(at_turn=at_turn))
                 if at_turn and not is_common(mention.phrase):
                     weights = then(weights, unseen.of_all, model.mistaken, model.again)
                 else:
@@ -199,7 +203,7 @@ class Things:
                 reach = max(math.dist(nearest.place, crossing.place), LEAST_REACH)
                 rate = self.rate(mention.phrase)
                 seen = seen_as_said(
-                    self._model, rate, reach, self._detected * nearest.score
+                    self._model, rate, reach, self._detected() * nearest.score
                 )
                 ratio *= _weaker(seen, mention)
         return ratio.of_all
@@ -222,9 +226,10 @@ class Things:
         if near and not here:
             return NOTHING
         rate, reach = self.rate(mention.phrase), 2 * (rim + SURELY_AT)
-        missed = not_seen(self._model, self._detected)
+        detected = self._detected(at_turn=True)
+        missed = not_seen(self._model, detected)
         seen = (
-            seen_as_said(self._model, rate, reach, self._detected * each.score).or_else(
+            seen_as_said(self._model, rate, reach, detected * each.score).or_else(
                 missed, nearness
             )
             * self.side_ratio(mention.side, each, line)
@@ -269,9 +274,9 @@ class Things:
         reach: float,
         line: tuple[Point, ...],
     ) -> Heard | None:
-        rate = self.rate(mention.phrase)
+        rate, detected = self.rate(mention.phrase), self._detected()
         seen = (
-            seen_as_said(self._model, rate, reach, self._detected * each.score)
+            seen_as_said(self._model, rate, reach, detected * each.score)
             * self.side_ratio(mention.side, each, line)
             for each in near
         )

@@ -221,6 +221,11 @@ class FloorMap:
         return median(known) if known else USUAL_RIM
 
     @property
+    def sees_far(self) -> bool:
+        """Whether this robot sees things of other places, too."""
+        return self.farthest > SEES_FAR
+
+    @property
     def seen_beside(self) -> float:
         """Share of what stands at the walls of ways that a camera which looks ahead sees.
 
@@ -250,7 +255,7 @@ class FloorMap:
         Who sees far has seen things of other places, too.
         """
         distance = math.dist(place, crossing_place)
-        if self.farthest > SEES_FAR:
+        if self.sees_far:
             return float(distance <= AT_CROSSING)
         if any(
             math.dist(place, other.place) < distance - NEARER
@@ -264,7 +269,7 @@ class FloorMap:
         distance = math.dist(place, crossing_place)
         if distance <= AT_CROSSING:
             return True
-        if self.farthest > SEES_FAR:
+        if self.sees_far:
             return False
         return distance <= NEAR and all(
             math.dist(place, other.place) >= distance - 1.0

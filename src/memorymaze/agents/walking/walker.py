@@ -27,6 +27,10 @@ AHEAD = math.radians(12)
 """A thing that differs less from it lies ahead."""
 BACK = math.radians(155)
 """A way that differs more from the heading is the way back."""
+MEANT, NEAR_ENOUGH = math.radians(35), math.radians(63)
+"""A way told of that differs no more from the one wanted is that one; or may stand for it."""
+SHARP = math.radians(126)
+"""Where a way that differs more is not found, the robot turns around."""
 
 GLANCES = {"left": math.radians(75), "right": math.radians(-75)}
 """How far it turns to look beside a way, radians."""
@@ -279,18 +283,20 @@ class Walker:
             return self._turn("around")
         offered = self._robot.detect_turning_point()
         word = _nearest(offered, angle)
-        if word is None or _off(word, angle) > 1.1:
+        off = math.inf if word is None else _off(word, angle)
+        if off > MEANT:
             # The way it came is not told of, but it can be turned to.
-            word = _nearest(_ANGLES, angle) or "around"
-            if word == "around":
-                return self._turn("around")
+            back = _nearest(_ANGLES, angle)
+            if back is not None and self._turn(back):
+                crossing.exits[exit] = self.heading
+                return True
+        if word is None or off > NEAR_ENOUGH:
+            return abs(angle) > SHARP and self._turn("around")
         if word == "forward":
             return True
         turned = self._turn(word)
         if turned:
             crossing.exits[exit] = self.heading
-        elif abs(angle) > 2.2:
-            return self._turn("around")
         return turned
 
     def _turn(self, direction: Direction) -> bool:
