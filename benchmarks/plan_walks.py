@@ -32,7 +32,7 @@ from memorymaze.sites import BUILTIN_SITE_NAMES, Route, Site, load_site, load_si
 from memorymaze.tables import Column
 
 RESAMPLES = 2000
-AGENTS = ("rules", "explorer")
+AGENTS = ("guide", "explorer")
 
 
 @dataclass(frozen=True, slots=True)

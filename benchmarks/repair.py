@@ -63,8 +63,6 @@ WAYS = (1.0, 1.5, 2.0, 3.0)
 NO_ERROR, ALL_ERRORS = "no error (twins)", "all errors"
 SURE = 0.5
 """Score of a doubt from which on it counts as said."""
-FALSE_ALARMS = 0.05
-"""Share of twins that an agent is let doubt that only tells costs."""
 
 Place = tuple[float, float]
 
@@ -254,39 +252,26 @@ class Doubt(NamedTuple):
     """None where it never did."""
 
 
-def doubts_of(walks: Mapping[str, PlanWalk], twins: Sequence[str]) -> dict[str, Doubt]:
+def doubts_of(walks: Mapping[str, PlanWalk]) -> dict[str, Doubt]:
     """Return the doubts of an agent on its walks.
 
     An agent says them by notes of the kind `doubt`, with a `score` from 0 to 1; those of
-    at least 0.5 count as said. Of one that never does, the `cost` of its notes of the
-    kinds `decision` and `arrival` is taken, and those greater than all but one in twenty
-    of its twins have.
+    at least 0.5 count as said.
     """
-    told = _scores(walks, {"doubt"}, "score")
-    least = SURE
-    if not any(told.values()):
-        told = _scores(walks, {"decision", "arrival"}, "cost")
-        greatest = [max((s for s, _ in told[name]), default=0.0) for name in twins]
-        least = float(np.nextafter(np.quantile(greatest, 1 - FALSE_ALARMS), np.inf))
+    told = {
+        name: [
+            (float(note.details["score"]), note.place)
+            for note in walk.notes
+            if note.about == "doubt" and "score" in note.details
+        ]
+        for name, walk in walks.items()
+    }
     return {
         name: Doubt(
             max((score for score, _ in scores), default=0.0),
-            next((place for score, place in scores if score >= least), None),
+            next((place for score, place in scores if score >= SURE), None),
         )
         for name, scores in told.items()
-    }
-
-
-def _scores(
-    walks: Mapping[str, PlanWalk], about: set[str], field: str
-) -> dict[str, list[tuple[float, Place]]]:
-    return {
-        name: [
-            (float(note.details[field]), note.place)
-            for note in walk.notes
-            if note.about in about and field in note.details
-        ]
-        for name, walk in walks.items()
     }
 
 
@@ -329,7 +314,7 @@ def repair_rows(
 ) -> Iterator[dict[str, object]]:
     """Yield what is told of an agent: of the twins, of each kind of error, and of all."""
     twins = sorted({each.twin.name for each in mutants})
-    doubts = doubts_of(walks, twins)
+    doubts = doubts_of(walks)
     tells = any(doubt.score for doubt in doubts.values())
     values = _values(walks, twins)
     if tells:

@@ -31,7 +31,7 @@ EPISODES = int(os.environ.get("MEMORYMAZE_SCALING_EPISODES", "96"))
 NEAR_LINEAR = 1.8
 """Times one worker's throughput that two are to have, on a machine with two cores."""
 
-AGENTS = ("rules", "oracle")
+AGENTS = ("guide", "oracle")
 
 # The first episode on a site costs more than it does again, by the start-up of a worker.
 ONE_WORKER = """
@@ -40,7 +40,7 @@ began = time.process_time()
 from memorymaze.evaluation.episode_worker import EpisodeTask, EpisodeWorker
 from memorymaze.evaluation.plan import plan_run
 from memorymaze.evaluation.settings import AgentSettings
-plan = plan_run(AgentSettings("rules"))
+plan = plan_run(AgentSettings("guide"))
 site = sys.argv[1]
 episode = next(e for e in plan.episodes if e.instruction.site == site)
 do = EpisodeWorker(plan.settings, {site: plan.sites[site]})()

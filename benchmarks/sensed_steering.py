@@ -23,7 +23,7 @@ from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.settings import AgentSettings, RunSettings
 from memorymaze.simulation.robot import SimulatedRobot
 
-AGENTS = ("rules", "guide", "examples/right_hand.py:RightHand")
+AGENTS = ("guide", "examples/right_hand.py:RightHand")
 
 
 @dataclass(frozen=True)

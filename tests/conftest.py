@@ -504,7 +504,7 @@ def result() -> Callable[..., EpisodeResult]:
             participant=episode_id.split("-")[0],
             source="llm",
             split="test",
-            agent="rules",
+            agent="guide",
             stopped_by="agent",
             success=True,
             oracle_success=True,
@@ -534,7 +534,7 @@ def result() -> Callable[..., EpisodeResult]:
 def settings() -> RunDefinition:
     """Settings of a run of two episodes."""
     return RunDefinition(
-        agent=AgentSettings("rules"),
+        agent=AgentSettings("guide"),
         instructions=(FileStamp("some.jsonl", "12ab"),),
         sites=(FileStamp("university", "34cd"),),
         seed=0,

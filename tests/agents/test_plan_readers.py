@@ -66,7 +66,7 @@ def test_two_replies_without_a_plan_are_the_models_failure(reply: str) -> None:
         ModelReader(ScriptedLanguageModel([reply, reply])).read(TEXT, Journal())
 
 
-def test_rules_walks_the_plans_in_a_file_of_answers(
+def test_the_guide_walks_the_plans_in_a_file_of_answers(
     tmp_path: Path, tiny_instructions: Path, tiny_files: list[str]
 ) -> None:
     """With what the grammar reads as the answers, the walks are those of the grammar."""
@@ -78,7 +78,7 @@ def test_rules_walks_the_plans_in_a_file_of_answers(
             record = {"instruction_id": told["id"], "model": "somebody"}
             record |= {"stage": "plan", "reply": json.dumps(plan)}
             file.write(json.dumps(record) + "\n")
-    run = ["evaluate", "--agent", "rules", "--workers", "1", *tiny_files, "--out"]
+    run = ["evaluate", "--agent", "guide", "--workers", "1", *tiny_files, "--out"]
     assert run_command_line([*run, str(tmp_path / "grammar")]) == 0
     by_model = ["--set", "reader=model", "--replay", str(answers)]
     assert run_command_line([*run, str(tmp_path / "model"), *by_model]) == 0
@@ -90,10 +90,10 @@ def test_rules_walks_the_plans_in_a_file_of_answers(
 
     assert walks("model") == walks("grammar")
     [line, *_] = (tmp_path / "model" / "episodes.jsonl").read_text("utf-8").splitlines()
-    assert json.loads(line)["agent"] == "rules[somebody]"
+    assert json.loads(line)["agent"] == "guide[somebody]"
 
 
-@pytest.mark.parametrize("name", ["rules", "explorer"])
+@pytest.mark.parametrize("name", ["guide", "explorer"])
 def test_a_text_that_is_a_plan_is_walked_as_it_stands(
     name: str, crossing_site: Site
 ) -> None:
@@ -106,7 +106,7 @@ def test_a_text_that_is_a_plan_is_walked_as_it_stands(
     assert walk.result.agent == f"{name}[plan]"
 
 
-@pytest.mark.parametrize("name", ["rules", "explorer"])
+@pytest.mark.parametrize("name", ["guide", "explorer"])
 @settings(max_examples=25)
 @given(data=st.data())
 def test_any_plan_is_walked_to_an_end(
@@ -122,7 +122,7 @@ def test_any_plan_is_walked_to_an_end(
     assert walk.result.stopped_by in {"agent", "budget"}
 
 
-@pytest.mark.parametrize("name", ["rules", "explorer"])
+@pytest.mark.parametrize("name", ["guide", "explorer"])
 def test_a_sentence_that_was_taken_for_a_thing_is_not_looked_for(
     name: str, crossing_site: Site
 ) -> None:
@@ -164,11 +164,11 @@ def test_a_text_that_should_be_a_plan_and_is_none_is_refused() -> None:
         WrittenPlanReader().read("Go left.", Journal())
 
 
-def test_rules_asks_no_model_unless_it_is_its_reader(
+def test_the_guide_asks_no_model_unless_it_is_its_reader(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     assert (
-        run_command_line(["evaluate", "--agent", "rules", "--model", "some-model"]) == 2
+        run_command_line(["evaluate", "--agent", "guide", "--model", "some-model"]) == 2
     )
     assert "asks no language model" in capsys.readouterr().err
 

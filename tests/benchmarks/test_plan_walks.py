@@ -26,11 +26,11 @@ def test_made_buildings_stand_beside_the_shipped_ones_and_can_be_told_wrongly(
 
 def test_agents_without_a_reader_are_left_as_they_are() -> None:
     assert given_plans(AgentSettings("oracle")).options == ()
-    assert given_plans(AgentSettings("rules")).options == (("reader", "plan"),)
+    assert given_plans(AgentSettings("guide")).options == (("reader", "plan"),)
 
 
 def test_a_reader_that_is_asked_for_stays() -> None:
-    asked = AgentSettings("rules", options=(("reader", "grammar"),))
+    asked = AgentSettings("guide", options=(("reader", "grammar"),))
     assert given_plans(asked) == asked
 
 

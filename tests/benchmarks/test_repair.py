@@ -139,26 +139,11 @@ def test_a_doubt_is_placed_where_it_is_first_at_least_even(
     doubting = walk(
         result(),
         ("doubt", "score", 0.2, 1.0),
-        ("decision", "cost", 9.0, 2.0),
         ("doubt", "score", 0.6, 3.0),
         ("doubt", "score", 0.9, 4.0),
     )
-    doubt = doubts_of({"walk": doubting}, [])["walk"]
+    doubt = doubts_of({"walk": doubting})["walk"]
     assert doubt == (0.9, (3.0, 0.0))
-
-
-def test_without_doubts_the_costs_that_few_twins_have_are_taken(
-    result: Callable[..., EpisodeResult],
-) -> None:
-    walks = {
-        f"twin{n}": walk(result(), ("decision", "cost", n, 0.0)) for n in range(21)
-    }
-    walks["wrong"] = walk(
-        result(), ("decision", "cost", 18, 1.0), ("arrival", "cost", 30, 2.0)
-    )
-    doubts = doubts_of(walks, [f"twin{n}" for n in range(21)])
-    assert doubts["wrong"] == (30, (2.0, 0.0))
-    assert [name for name in doubts if doubts[name].place] == ["twin20", "wrong"]
 
 
 def test_what_is_repaired_is_counted_where_the_twin_arrives(

@@ -24,12 +24,12 @@ def test_runs_are_compared_at_equal_metres_on_texts_with_errors(
     wrong = {"error_kinds": ("missing_turn",), "way_m": 40.0}
     folders = [
         write(name, [result(f"{one}-1", path_length=metres, **wrong) for one in "ab"])
-        for name, metres in {"explorer": 100.0, "guide": 45.0, "rules": 70.0}.items()
+        for name, metres in {"explorer": 100.0, "guide": 45.0, "mine": 70.0}.items()
     ]
     said = memorymaze("compare", *folders, "--equal-metres", "--format", "csv")
     assert said.code == 0
     rows = [line.split(",") for line in said.out.splitlines()]
-    assert [row[0] for row in rows] == ["run", *["guide"] * 4, *["rules"] * 4]
+    assert [row[0] for row in rows] == ["run", *["guide"] * 4, *["mine"] * 4]
 
 
 def test_a_folder_that_is_no_run_gives_code_1(

@@ -142,7 +142,7 @@ def test_navigate_says_what_the_model_took(
 @pytest.mark.parametrize(
     ("agent", "options", "message"),
     [
-        ("rules", ["--price", "1,2"], "--price: the agent 'rules' asks no language"),
+        ("guide", ["--price", "1,2"], "--price: the agent 'guide' asks no language"),
         (
             "stop",
             ["--with", "inference_time=2"],

@@ -20,7 +20,7 @@ def run_folder(tmp_path_factory: pytest.TempPathFactory, tiny_files: list[str]) 
         run_command_line([
             "evaluate",
             "--agent",
-            "rules",
+            "guide",
             *options,
             "--out",
             str(folder),

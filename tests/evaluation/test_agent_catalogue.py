@@ -107,7 +107,7 @@ def made(name: str, *options: tuple[str, str]) -> Agent:
 
 
 def test_all_names_are_known_and_the_oracle_is_one_of_them() -> None:
-    assert {"guide", "rules", "code_generation", "oracle"} <= set(agent_names())
+    assert {"guide", "explorer", "code_generation", "oracle"} <= set(agent_names())
 
 
 @pytest.mark.parametrize("name", agent_names())

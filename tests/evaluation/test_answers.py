@@ -137,7 +137,7 @@ def test_changed_answers_are_another_run(
     [
         ({"record": "x"}, "--replay and --record"),
         ({"base_url": "http://localhost:1/v1"}, "--replay and --base-url"),
-        ({"name": "rules"}, "'rules' asks no language model"),
+        ({"name": "guide"}, "'guide' asks no language model"),
     ],
 )
 def test_answers_beside_what_asks_are_refused(

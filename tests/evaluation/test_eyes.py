@@ -115,15 +115,15 @@ def test_tables_name_the_eyes_beside_the_method(tmp_path: Path):
 
 
 def test_runs_without_cameras_do_not_depend_on_looks() -> None:
-    rules, oracle = AgentSettings("rules"), AgentSettings("oracle")
-    assert looks_of_run(rules, frozenset(), RunSettings()) is None
+    guide, oracle = AgentSettings("guide"), AgentSettings("oracle")
+    assert looks_of_run(guide, frozenset(), RunSettings()) is None
     assert looks_of_run(oracle, frozenset({"answers"}), RunSettings()) is None
 
 
 def test_runs_with_cameras_say_what_these_show() -> None:
-    own, rules = AgentSettings("mine.py:Mine"), AgentSettings("rules")
+    own, guide = AgentSettings("mine.py:Mine"), AgentSettings("guide")
     assert looks_of_run(own, frozenset({"camera"}), RunSettings()) == "own"
-    assert looks_of_run(rules, frozenset(), RunSettings(signs="ocr")) == "own"
+    assert looks_of_run(guide, frozenset(), RunSettings(signs="ocr")) == "own"
 
 
 def test_an_agent_of_ones_own_that_declares_nothing_may_look_too() -> None:

@@ -105,7 +105,7 @@ def test_tables_and_summaries_show_the_track_and_how_safe_it_was(
                 run.add(each)
     runs = load_runs([tmp_path / "plain", tmp_path / "busy"])
 
-    assert [run.label for run in runs] == ["rules", "rules, with obstacles"]
+    assert [run.label for run in runs] == ["guide", "guide, with obstacles"]
     text = " ".join(run_tables(runs)[0].text().split())
     assert text.count("TRACK WITH OBSTACLES AND PEOPLE") == 1
     assert "10 things per 100 m, 2 people, obstacle seed 5" in text

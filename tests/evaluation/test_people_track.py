@@ -255,7 +255,7 @@ def test_what_people_in_role_will_cost_cannot_be_told_beforehand(
     priced = replace(model, price=TokenPrice(1.0, 2.0))
     settings = RunSettings(ask=1, passers_by="model", limit=2)
     plan = plan_run(
-        AgentSettings("rules", language_model=priced), tiny_corpus, settings
+        AgentSettings("guide", language_model=priced), tiny_corpus, settings
     )
     assert "how many people will be asked" in str(cost_estimate(plan))
 
@@ -285,7 +285,7 @@ def test_tables_and_summaries_tell_the_track(
     ) as run:
         run.add(results[0])
     [loaded] = load_runs([tmp_path / "asked"])
-    assert loaded.label == "rules, up to 1 question (wrong answers)"
+    assert loaded.label == "guide, up to 1 question (wrong answers)"
     text = " ".join(run_tables([loaded])[0].text().split())
     assert "TRACK WITH PEOPLE ONE CAN ASK" in text
     assert "ALL OF WHOM ANSWER WRONGLY" in text

@@ -136,7 +136,7 @@ def test_a_folder_with_other_settings_is_not_resumed(
     with pytest.raises(RunFolderError, match="cannot resume") as caught:
         write(tmp_path, replace(record, settings=settings))
     for part in (
-        "agent.name: 'rules' there, 'stop' here",
+        "agent.name: 'guide' there, 'stop' here",
         "instructions[0]: 'some.jsonl 12ab' there, 'some.jsonl 99' here",
         "seed: 0 there, 7 here",
         "simulation.time_budget: 529.0 there, 60.0 here",

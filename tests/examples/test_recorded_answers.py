@@ -51,7 +51,13 @@ def test_table_two_is_made_again_without_a_key(tmp_path: Path) -> None:
     )
     assert "navid (not recorded)" in made.stdout
     runs = tmp_path
-    names = ["rules", "code_generation", "code_generation_parser", "navgpt", "oracle"]
+    names = [
+        "guide_plain",
+        "code_generation",
+        "code_generation_parser",
+        "navgpt",
+        "oracle",
+    ]
     first, *others = load_runs([runs / name for name in names])
     rows = csv.DictReader(io.StringIO(paired_table([first, *others], OVERVIEW).csv()))
     found = {(row["study"], row["run"]): round(float(row["b"]), 2) for row in rows}

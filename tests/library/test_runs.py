@@ -45,10 +45,10 @@ def test_a_run_from_python_equals_the_run_from_the_command_line(
     corpus: mm.Corpus, tiny_instructions: Path, tiny_sites_folder: Path, tmp_path: Path
 ) -> None:
     run = mm.evaluate(
-        "rules", corpus, limit=4, seed=3, out=tmp_path / "python", workers=1
+        "guide", corpus, limit=4, seed=3, out=tmp_path / "python", workers=1
     )
     code = run_command_line(
-        f"evaluate --agent rules --limit 4 --seed 3 --workers 1 --sites "
+        f"evaluate --agent guide --limit 4 --seed 3 --workers 1 --sites "
         f"{tiny_sites_folder} --instructions {tiny_instructions} "
         f"--out {tmp_path / 'cli'}".split()
     )

@@ -24,7 +24,7 @@ from memorymaze.simulation.obstacles import parse_obstacles
 def _run(folder: Path, corpus: Corpus, **settings: Any) -> Path:
     """Run two episodes in this process, which is quicker than starting workers."""
     plan = plan_run(
-        AgentSettings("rules"),
+        AgentSettings("guide"),
         corpus,
         with_choices(RunSettings(limit=2), settings),
     )
@@ -50,7 +50,7 @@ def _run(folder: Path, corpus: Corpus, **settings: Any) -> Path:
 
 @pytest.fixture(scope="session")
 def tiny_run(tmp_path_factory: pytest.TempPathFactory, tiny_corpus: Corpus) -> Path:
-    """A run of two episodes by `rules`."""
+    """A run of two episodes by `guide`."""
     return _run(tmp_path_factory.mktemp("runs") / "tiny", tiny_corpus)
 
 

@@ -41,10 +41,10 @@ def finished(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., Path]:
 
 
 @pytest.fixture
-def rules(finished: Callable[..., Path], tmp_path: Path) -> Path:
-    """A copy of a run of `rules` by committed code, to be spoilt."""
-    folder = tmp_path / "rules"
-    run = finished("rules")
+def guide(finished: Callable[..., Path], tmp_path: Path) -> Path:
+    """A copy of a run of `guide` by committed code, to be spoilt."""
+    folder = tmp_path / "guide"
+    run = finished("guide")
     for file in run.rglob("*"):
         if file.is_file():
             copy = folder / file.relative_to(run)
@@ -69,31 +69,31 @@ def edit_result(folder: Path, **changes: Any) -> str:
     return record["episode_id"]
 
 
-def test_a_whole_run_by_committed_code_is_ready(rules: Path) -> None:
-    found = check(rules)
+def test_a_whole_run_by_committed_code_is_ready(guide: Path) -> None:
+    found = check(guide)
     assert found.problems == ()
     assert found.track == "default"
 
 
-def test_a_prettier_result_than_the_trajectory_gives_is_found(rules: Path) -> None:
-    episode = edit_result(rules, cls=0.999, spd=0.0)
-    problems = check(rules).problems
+def test_a_prettier_result_than_the_trajectory_gives_is_found(guide: Path) -> None:
+    episode = edit_result(guide, cls=0.999, spd=0.0)
+    problems = check(guide).problems
     assert any(f"{episode!r}: expected spd" in each for each in problems)
 
 
-def test_a_success_that_the_agent_did_not_end_is_found(rules: Path) -> None:
-    edit_result(rules, success=True, stopped_by="budget")
-    assert any("stopped by budget" in each for each in check(rules).problems)
+def test_a_success_that_the_agent_did_not_end_is_found(guide: Path) -> None:
+    edit_result(guide, success=True, stopped_by="budget")
+    assert any("stopped by budget" in each for each in check(guide).problems)
 
 
-def test_a_missing_or_damaged_trace_is_found(rules: Path) -> None:
-    episode = edit_result(rules)
-    trace_path(rules, episode).write_bytes(b"nothing")
+def test_a_missing_or_damaged_trace_is_found(guide: Path) -> None:
+    episode = edit_result(guide)
+    trace_path(guide, episode).write_bytes(b"nothing")
     assert any(
-        f"episode {episode!r} is damaged" in each for each in check(rules).problems
+        f"episode {episode!r} is damaged" in each for each in check(guide).problems
     )
-    trace_path(rules, episode).unlink()
-    assert any("no such file" in each for each in check(rules).problems)
+    trace_path(guide, episode).unlink()
+    assert any("no such file" in each for each in check(guide).problems)
 
 
 def spoil_trace(folder: Path, how: str) -> str:
@@ -141,15 +141,15 @@ def spoil_trace(folder: Path, how: str) -> str:
         "no number",
     ],
 )
-def test_a_bad_trace_costs_its_own_walk_alone(rules: Path, how: str) -> None:
-    episode = spoil_trace(rules, how)
-    [problem] = check(rules).problems
-    assert episode in problem or str(trace_path(rules, episode)) in problem
+def test_a_bad_trace_costs_its_own_walk_alone(guide: Path, how: str) -> None:
+    episode = spoil_trace(guide, how)
+    [problem] = check(guide).problems
+    assert episode in problem or str(trace_path(guide, episode)) in problem
 
 
-def test_a_trace_with_a_call_that_needs_answers_is_found(rules: Path) -> None:
-    episode = edit_result(rules)
-    path = trace_path(rules, episode)
+def test_a_trace_with_a_call_that_needs_answers_is_found(guide: Path) -> None:
+    episode = edit_result(guide)
+    path = trace_path(guide, episode)
     call = {
         "kind": "call",
         "time": 1.0,
@@ -160,17 +160,17 @@ def test_a_trace_with_a_call_that_needs_answers_is_found(rules: Path) -> None:
     }
     content = gzip.decompress(path.read_bytes()) + json.dumps(call).encode() + b"\n"
     path.write_bytes(gzip.compress(content))
-    assert any("the call follow" in each for each in check(rules).problems)
+    assert any("the call follow" in each for each in check(guide).problems)
 
 
-def test_edited_code_and_missing_episodes_are_found(rules: Path) -> None:
-    record = json.loads((rules / "run.json").read_text(encoding="utf-8"))
+def test_edited_code_and_missing_episodes_are_found(guide: Path) -> None:
+    record = json.loads((guide / "run.json").read_text(encoding="utf-8"))
     record["code"]["commit"] += "+"
-    (rules / "run.json").write_text(json.dumps(record), encoding="utf-8")
-    file = rules / "episodes.jsonl"
+    (guide / "run.json").write_text(json.dumps(record), encoding="utf-8")
+    file = guide / "episodes.jsonl"
     lines = file.read_text(encoding="utf-8").splitlines()
     file.write_text("\n".join([*lines[1:], ""]), encoding="utf-8")
-    problems = check(rules).problems
+    problems = check(guide).problems
     assert any("expected a run by committed code" in each for each in problems)
     assert any(f"episodes without a result: 1 of {len(lines)}" in e for e in problems)
 
@@ -221,17 +221,17 @@ def test_an_agent_of_ones_own_must_have_been_run_without_buildings(
 
 
 def test_another_corpus_than_the_leaderboards_is_refused(
-    rules: Path, tmp_path: Path
+    guide: Path, tmp_path: Path
 ) -> None:
     other = tmp_path / "other.jsonl"
     text = (TESTS / "tiny_instructions.jsonl").read_text(encoding="utf-8")
     other.write_text(text.replace("left", "right", 1), encoding="utf-8")
-    found = check_submission(rules, load_corpus(other, sites=TESTS / "tiny_sites"))
+    found = check_submission(guide, load_corpus(other, sites=TESTS / "tiny_sites"))
     assert any(each.startswith("setting instructions[0]") for each in found.problems)
 
 
-def test_own_agents_and_graphs_are_remarked_on(rules: Path) -> None:
-    settings = read_run(rules)[0].settings
+def test_own_agents_and_graphs_are_remarked_on(guide: Path) -> None:
+    settings = read_run(guide)[0].settings
     own = replace(settings, agent=AgentSettings("mine.py:Agent"))
     [remark] = remarks(own, [])
     assert "must be published" in remark

@@ -12,7 +12,6 @@ from memorymaze.agents.explorer import ExplorerAgent
 from memorymaze.agents.guide import GuideAgent
 from memorymaze.agents.navgpt import NavGPTAgent, NavGPTOptions
 from memorymaze.agents.navid import NavidAgent, NavidOptions
-from memorymaze.agents.rules import RulesAgent
 from memorymaze.agents.see_and_go import SeeAndGoAgent, SeeAndGoOptions
 from memorymaze.agents.stop import StopAgent
 from memorymaze.errors import EpisodeOver
@@ -46,7 +45,7 @@ def answer(request: CompletionRequest) -> str:
     return f"Refined program:\n```python\n{PROGRAM}```"
 
 
-@pytest.mark.parametrize("make", [ExplorerAgent, GuideAgent, RulesAgent, StopAgent])
+@pytest.mark.parametrize("make", [ExplorerAgent, GuideAgent, StopAgent])
 def test_every_agent_keeps_the_contract(make: Callable[[], Agent]) -> None:
     check_agent(make())
 

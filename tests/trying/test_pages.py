@@ -20,7 +20,7 @@ ASTRAY = "Go to the T and turn right, <b>then</b> go to the end."
 
 @pytest.fixture(scope="module")
 def visits() -> Generator[Visits]:
-    with Visits(RunSettings(), [AgentSettings("rules")], most=2) as visits:
+    with Visits(RunSettings(), [AgentSettings("explorer")], most=2) as visits:
         yield visits
 
 

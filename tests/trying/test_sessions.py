@@ -40,7 +40,7 @@ def clock() -> Clock:
 @pytest.fixture(scope="module")
 def visits(clock: Clock) -> Generator[Visits]:
     """One robot for all these tests: to begin a process takes seconds."""
-    beside = [AgentSettings("rules")]
+    beside = [AgentSettings("explorer")]
     with Visits(RunSettings(), beside, most=1, clock=clock) as visits:
         yield visits
 
@@ -101,10 +101,10 @@ def test_a_robot_follows_a_text_and_tells_all_of_it(
     assert any("belief" in each for each in news)
     thoughts = [told for each in news for told in each.get("thoughts", [])]
     assert [kind for _, kind, text in thoughts if "We are there" in text] == ["says"]
-    guide, rules = overs(visit)
+    guide, explorer = overs(visit)
     assert guide["headline"] == "The robot arrived."
     assert 0 < guide["confidence"] <= 1
-    assert rules["path"].startswith("M")
+    assert explorer["path"].startswith("M")
     camera = Image.open(io.BytesIO(visit.pictures["camera"]))
     assert camera.size == (640, 480)
     known = len(news)

@@ -88,7 +88,7 @@ def test_only_another_step_or_a_new_doubt_is_a_change_of_mind() -> None:
 
 @pytest.fixture
 def judged(t_site: Site) -> Any:
-    def judge(text: str, agent: str = "rules") -> tuple[EpisodeResult, Verdict]:
+    def judge(text: str, agent: str = "guide") -> tuple[EpisodeResult, Verdict]:
         route = t_site.reference_route("R1")
         run = navigate(t_site, route, text, agent)
         return run.result, verdict_of(run.result, run.trajectory, t_site, route, 3.0)

@@ -209,7 +209,7 @@ class Agent(Protocol):
 
     The whole life of an agent:
 
-        agent = RulesAgent()
+        agent = GuideAgent()
         for episode in episodes:
             agent.follow(text, robot, journal, rng)   # returns: the agent stopped
 

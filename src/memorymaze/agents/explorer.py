@@ -8,6 +8,7 @@ from itertools import islice
 import numpy as np
 
 from memorymaze.agents.agent import Journal
+from memorymaze.agents.guide.arriving import walk_up_to
 from memorymaze.agents.notes import (
     ArrivalNote,
     DecisionNote,
@@ -15,7 +16,6 @@ from memorymaze.agents.notes import (
     GaveUpNote,
 )
 from memorymaze.agents.plan_readers import ReaderOptions, ReadsFirst
-from memorymaze.agents.rules.arriving import approach
 from memorymaze.agents.walking.floor_map import Sighting
 from memorymaze.agents.walking.walker import BACK, Walker
 from memorymaze.geometry.pose import wrap_angle
@@ -97,7 +97,7 @@ class ExplorerAgent(ReadsFirst):
             if found:
                 reason = f"{found[0].phrase} seen as {found[0].label}"
                 journal.add(ArrivalNote(reason, score=found[0].score))
-                approach(walker, found[0])
+                walk_up_to(walker, found[0], names)
                 break
         else:
             why = "every way is tried" if names else "the text names no destination"

@@ -127,7 +127,6 @@ class DecisionNote(ShippedNote):
     """The crossing."""
     exit: StrictInt
     """The way out of it, as the agent counts them."""
-    cost: StrictFloat | None = None
     probability: Probability | None = None
     """That it is the right one."""
     legs_done: StrictInt | None = None
@@ -155,7 +154,6 @@ class ArrivalNote(ShippedNote):
     """How well what was seen fits."""
     confidence: Probability | None = None
     """That it is there."""
-    cost: StrictFloat | None = None
     because: Sequence[str] | None = None
     """What speaks for it."""
 

@@ -13,7 +13,7 @@ def add_parser(verbs: Verbs) -> None:
         description="Compare two runs on the episodes that both have, route by route: "
         "differences with paired bootstrap intervals and a test. Of more runs, the "
         "success of each beside that of the first.",
-        epilog="example: memorymaze compare runs/rules runs/mine",
+        epilog="example: memorymaze compare runs/guide runs/mine",
     )
     parser.add_argument("first", metavar="A", help="run folder: the baseline")
     parser.add_argument(

@@ -34,7 +34,7 @@ def add_parser(verbs: Verbs) -> None:
         help="run an agent on many instructions",
         description="Run an agent on instructions and keep every result in a folder. "
         "A run that was broken off, however that came, goes on with --resume.",
-        epilog="example: memorymaze evaluate --agent rules --limit 24 --out runs/look",
+        epilog="example: memorymaze evaluate --agent guide --limit 24 --out runs/look",
         options=_add_options,
     )
 

@@ -81,8 +81,8 @@ def command_line() -> argparse.ArgumentParser:
         prog="memorymaze",
         description="Test guide robots that follow route instructions given from "
         "memory, in simulated public buildings.",
-        epilog="example: memorymaze evaluate --agent rules --out runs/rules && "
-        "memorymaze table runs/rules",
+        epilog="example: memorymaze evaluate --agent guide --out runs/guide && "
+        "memorymaze table runs/guide",
     )
     parser.add_argument(
         "--version", action="version", version=f"memorymaze {__version__}"

@@ -15,7 +15,7 @@ def add_parser(verbs: Verbs) -> None:
         description="Make a video of an episode from its trace: what the robot saw "
         "beside the plan, with the instruction, the current step and the calls; or a "
         "recording for the Rerun viewer.",
-        epilog="example: memorymaze replay runs/rules onl-university-r1-01-1 "
+        epilog="example: memorymaze replay runs/guide onl-university-r1-01-1 "
         "--speed 4 --out walk.mp4",
     )
     parser.add_argument("run_folder", metavar="RUN", help="a run folder")

@@ -15,7 +15,7 @@ def add_parser(verbs: Verbs) -> None:
         "side: tables with intervals and tests, walks on the plans, where they leave "
         "the way, distributions, errors in instructions, and every episode with a "
         "replay. They open from the disk, without server or network.",
-        epilog="example: memorymaze report runs/rules runs/mine --out report",
+        epilog="example: memorymaze report runs/guide runs/mine --out report",
     )
     parser.add_argument("runs", metavar="RUN", nargs="+", help="run folders")
     add_new_folder(parser, "report")

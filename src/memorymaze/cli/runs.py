@@ -21,7 +21,7 @@ def add_parser(verbs: Verbs) -> None:
         help="check runs for a leaderboard, and rank them",
         description="Check that a run can stand on a leaderboard, or make the page that "
         "ranks a folder of runs.",
-        epilog="example: memorymaze runs check runs/rules",
+        epilog="example: memorymaze runs check runs/guide",
     )
     actions = parser.add_subparsers(title="actions", metavar="ACTION", required=True)
     _add_check(actions)
@@ -35,7 +35,7 @@ def _add_check(actions: Verbs) -> None:
         description="Check a run folder: every episode, default settings, committed "
         "code, and traces that give the same figures when they are scored again. Exit "
         "code 1 where it cannot stand on a leaderboard.",
-        epilog="example: memorymaze runs check runs/rules",
+        epilog="example: memorymaze runs check runs/guide",
     )
     parser.add_argument("folder", metavar="RUN", help="run folder")
     _add_texts(parser)

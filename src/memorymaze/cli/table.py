@@ -14,7 +14,7 @@ def add_parser(verbs: Verbs) -> None:
         description="Show runs as the paper's Table II (methods) and Table III "
         "(iterations), beside the published figures; runs on SAIL by map, beside people who "
         "followed the same texts.",
-        epilog="example: memorymaze table runs/rules runs/oracle --table both",
+        epilog="example: memorymaze table runs/guide runs/oracle --table both",
         options=_add_options,
     )
 

@@ -59,7 +59,7 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
         "--agent",
         metavar="NAME",
         help="follow the same text with this agent too, such as code_generation with "
-        "--model; rules and explorer always do",
+        "--model; explorer always does",
     )
     add_agent_options(parser)
     add_episode_options(parser)
@@ -93,7 +93,7 @@ def _run(options: argparse.Namespace) -> None:
             f"passers_by: expected one of {', '.join(SHOWN_PEOPLE)} on this page, got "
             f"{settings.passers_by!r}; see memorymaze navigate"
         )
-    beside = [AgentSettings("rules"), AgentSettings("explorer")]
+    beside = [AgentSettings("explorer")]
     if options.agent is not None:
         beside.append(agent_settings(options))
     elif options.set or model_settings(given_settings(options)) != ModelSettings():

@@ -67,10 +67,6 @@ AGENTS = {
         "memorymaze.evaluation.guarded_robot:OracleAgent",
         "follows the reference path: what the robot's body can reach",
     ),
-    "rules": ShippedAgent(
-        "memorymaze.agents.rules:RulesAgent",
-        "reads the instruction by rules, walks and doubts; needs no model unless told to",
-    ),
     "see_and_go": ShippedAgent(
         "memorymaze.agents.see_and_go:SeeAndGoAgent",
         "a vision-language model is shown the camera's picture and says the next move",

@@ -138,7 +138,7 @@ class RunSettings:
     split: str | None = field(default=None, metadata={"metavar": "NAME"})
     """only this split: dev, test, developed or held_out; dev and test say whether prompts
     may be built from texts, the others are the halves of the participants whose texts were
-    and were not read while the rules agent was developed"""
+    and were not read while the agents were developed"""
     shard: Shard | None = field(default=None, metadata={"reader": parse_shard})
     """only the I-th of N parts of the run, alike in size, given as I/N; it lies in the run's
     folder, which is read as one run when all are there (docs/scaling.md)"""

@@ -50,12 +50,12 @@ WRITTEN_BY = {
 """Who wrote an instruction, by its source, as it is said wherever results are shown."""
 
 DEVELOPED, HELD_OUT = "developed", "held_out"
-"""Splits of the participants whose texts were read while the `rules` agent was developed,
+"""Splits of the participants whose texts were read while the agents were developed,
 and of the others; also those of `dev` and `test`, which say where prompts come from."""
 
 
 def was_developed_on(participant: str) -> bool:
-    """Return whether a participant's texts were read while `rules` was developed.
+    """Return whether a participant's texts were read while the agents were developed.
 
     They are those with an even SHA-256, of the shipped corpus and of SAIL.
     """
@@ -190,7 +190,7 @@ class Corpus:
     """Whether a text may build on the way one faces at the start; False where each is
     followed from several headings."""
     was_half_read: bool = False
-    """Whether half of its participants were read while `rules` was developed."""
+    """Whether half of its participants were read while the agents were developed."""
 
     @property
     def instructions(self) -> tuple[Instruction, ...]:

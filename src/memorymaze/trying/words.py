@@ -25,7 +25,6 @@ REPAIRS = {
 """By the reason of a note about a repair."""
 FOLLOWERS = {
     "guide": "The robot you watch (guide)",
-    "rules": "One that does as it is told (rules)",
     "explorer": "One that searches everywhere (explorer)",
 }
 """Agents in words, by their names."""

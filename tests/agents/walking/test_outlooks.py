@@ -1,10 +1,9 @@
-"""What the rules agent makes of floors, walls and things seen along ways."""
+"""What is made of floors, walls and things seen along ways."""
 
 import math
 
 import pytest
 
-from memorymaze.agents.rules.evidence import length_cost
 from memorymaze.agents.walking.floor_map import FloorMap, Sighting
 from memorymaze.agents.walking.outlooks import (
     LegOutlook,
@@ -12,7 +11,6 @@ from memorymaze.agents.walking.outlooks import (
     outlook_cost,
     walls_cost,
 )
-from memorymaze.routes import Length
 from memorymaze.understanding import ANY_FLOOR, parse_route_description
 
 EAST, NORTH = 0, 1
@@ -75,12 +73,3 @@ def test_the_first_words_tell_which_way_one_faces(floor: FloorMap) -> None:
     east = first_heading_cost(plan, floor, 0, 0.0)
     into_a_wall = first_heading_cost(plan, floor, 0, math.pi)
     assert north < min(east, into_a_wall)
-
-
-@pytest.mark.parametrize(("places", "junctions"), [(2, 0), (5, 2)])
-def test_a_length_in_places_counts_places_or_junctions(
-    places: int, junctions: int
-) -> None:
-    two = Length(16.0, "places", 2.0)
-    assert length_cost(two, 8.0, places, junctions) <= 0.5
-    assert length_cost(two, 8.0, places + 3, junctions + 5) >= 3.0

@@ -24,12 +24,12 @@ def test_a_perfect_follower_finds_every_goal_and_people_stand_beside_it(
     assert by_kind["usable"]["people"] == "0.75"
 
 
-def test_rules_finds_its_way_from_any_heading(
+def test_the_guide_finds_its_way_from_any_heading(
     small_folder: Path, tmp_path: Path
 ) -> None:
     run = tmp_path / "run"
     arguments = ["evaluate", "--instructions", str(small_folder), "--workers", "1"]
-    assert run_command_line([*arguments, "--agent", "rules", "--out", str(run)]) == 0
+    assert run_command_line([*arguments, "--agent", "guide", "--out", str(run)]) == 0
     lines = (run / "episodes.jsonl").read_text().splitlines()
     results = [json.loads(line) for line in lines]
     missed = [each["episode_id"] for each in results if not each["success"]]

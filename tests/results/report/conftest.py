@@ -95,11 +95,11 @@ def reported() -> Callable[..., list[str]]:
 
 @pytest.fixture(scope="session")
 def runs(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
-    """Runs of `rules`, of `stop`, and of one that writes a program and tells its beliefs."""
+    """Runs of `guide`, of `stop`, and of one that writes a program and tells its beliefs."""
     folder = tmp_path_factory.mktemp("runs")
     (folder / "programmer.py").write_text(PROGRAMMER, encoding="utf-8")
     return {
-        "rules": make_run(folder / "rules", "rules"),
+        "guide": make_run(folder / "guide", "guide"),
         "stop": make_run(folder / "stop", "stop"),
         "programmer": make_run(
             folder / "programmer", f"{folder / 'programmer.py'}:Programmer"

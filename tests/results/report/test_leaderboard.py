@@ -28,9 +28,9 @@ def read(folder: Path) -> Leaderboard:
 
 @pytest.fixture
 def submitted(runs: dict[str, Path], tmp_path: Path) -> Path:
-    """`rules` and `stop` by committed code, one by edited code, and no run at all."""
+    """`guide` and `stop` by committed code, one by edited code, and no run at all."""
     folder = tmp_path / "submitted"
-    for name, run in (("rules", "rules"), ("stop", "stop"), ("edited", "stop")):
+    for name, run in (("guide", "guide"), ("stop", "stop"), ("edited", "stop")):
         shutil.copytree(runs[run], folder / name)
         file = folder / name / "run.json"
         record = json.loads(file.read_text(encoding="utf-8"))
@@ -48,7 +48,7 @@ def test_runs_stand_in_the_order_of_their_success(
     page = opened(tmp_path / "out" / "index.html")
     rows = page.locator("table").first.locator("tbody").first.locator("tr")
     assert [re.split(r"\s+", text)[:2] for text in rows.all_inner_texts()] == [
-        ["1", "rules"],
+        ["1", "guide"],
         ["2", "stop"],
     ]
     head = page.get_by_role("columnheader", name="SPD (m)", exact=True).first
@@ -57,7 +57,7 @@ def test_runs_stand_in_the_order_of_their_success(
     head.get_by_role("button").press("Enter")
     assert head.get_attribute("aria-sort") == "descending"
     assert "stop" in rows.first.inner_text()
-    page.get_by_role("link", name="rules").first.click()
+    page.get_by_role("link", name="guide").first.click()
     assert "settings.seed" in page.locator("main").inner_text()
 
 
@@ -76,7 +76,7 @@ def test_runs_that_cannot_stand_on_it_are_listed_with_the_reason(
     submitted: Path, tmp_path: Path
 ) -> None:
     board = read(submitted)
-    assert [each.name for each in board.standing] == ["rules", "stop"]
+    assert [each.name for each in board.standing] == ["guide", "stop"]
     reasons = {each.name: each.reasons[0] for each in board.refused}
     assert "expected a run by committed code" in reasons["edited"]
     assert "a folder without run.json" in reasons["nothing"]
@@ -95,7 +95,7 @@ def test_a_damaged_run_is_named_and_left_out_and_the_others_stand(
     trace.write_bytes(content[:10] + bytes([content[10] | 6]) + content[11:])
     (submitted / "nothing" / "run.json").write_text("[" * 100_000, encoding="utf-8")
     board = read(submitted)
-    assert [each.name for each in board.standing] == ["rules"]
+    assert [each.name for each in board.standing] == ["guide"]
     reasons = {each.name: each.reasons for each in board.refused}
     assert str(trace) in reasons["stop"][0]
     assert "run.json" in reasons["nothing"][0]

@@ -96,7 +96,7 @@ def test_any_id_gives_a_harmless_file_name(hostile_report: Path) -> None:
 def test_a_trace_that_cannot_be_read_costs_its_own_walk_only(
     runs: dict[str, Path], reported: Reported, tmp_path: Path
 ) -> None:
-    run = shutil.copytree(runs["rules"], tmp_path / "rules")
+    run = shutil.copytree(runs["guide"], tmp_path / "guide")
     traces = sorted((run / "traces").iterdir())
     traces[0].write_bytes(b"nothing")
     episode = traces[0].name.removesuffix(".jsonl.gz")
@@ -199,8 +199,8 @@ def test_what_cannot_be_reported_on_is_named(
 def test_pages_show_how_the_belief_went_of_agents_that_tell_it(report: Path) -> None:
     for page in (report / "episodes").iterdir():
         text = page.read_text(encoding="utf-8")
-        # Of three agents one tells it.
-        assert text.count('<figure class="belief">') == 1
+        # Of three agents two tell it.
+        assert text.count('<figure class="belief">') == 2
         assert "<td>0 of 2 legs done</td>" in text
         assert "<td>2 of 2 legs done</td>" in text
         assert "doubts leg 1 (0.60); repairs leg 1: no such turn" in text
@@ -211,7 +211,7 @@ def test_the_page_on_confidence_plots_whoever_told_one(report: Path) -> None:
     text = (report / "confidence.html").read_text(encoding="utf-8")
     assert "what agents claimed, and what came of it" in text
     figures = re.findall(r"<figcaption>(.*?), \w+: \d+ episode", text)
-    assert set(figures) == {"C: programmer"}
+    assert set(figures) == {"A: guide", "C: programmer"}
     assert "told 0.15 on average, 0.00 of" in text
 
 

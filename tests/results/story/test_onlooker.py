@@ -19,11 +19,11 @@ TEXT = "Go to the T and turn left."
 
 @pytest.fixture
 def walk(t_site: Site) -> Callable[..., EpisodeRun]:
-    """Let `rules` follow a text on the T, with someone watching or not."""
+    """Let `guide` follow a text on the T, with someone watching or not."""
 
     def run(watcher: Watcher | None = None) -> EpisodeRun:
         route = t_site.reference_route("R1")
-        return navigate(t_site, route, TEXT, AgentSettings("rules"), watcher=watcher)
+        return navigate(t_site, route, TEXT, AgentSettings("guide"), watcher=watcher)
 
     return run
 

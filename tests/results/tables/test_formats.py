@@ -84,7 +84,7 @@ def test_text_stands_in_columns_of_at_most_118_characters(
 ) -> None:
     lines = shown(runs, "text", "both").splitlines()
     assert max(map(len, lines)) <= 118
-    rows = [line for line in lines if line.startswith(("  rules", "  paper"))]
+    rows = [line for line in lines if line.startswith(("  guide", "  paper"))]
     assert len(rows) > 20
     means = [re.sub(r"\[.*?\]", lambda found: " " * len(found[0]), row) for row in rows]
     for table in (means[:12], means[12:]):
@@ -126,7 +126,7 @@ def test_turning_points_by_lidar_are_stated_above_the_table(
     with open_run_folder(folder, replace(record, settings=settings), resume=False) as r:
         r.add(result("a-1"))
     runs = load_runs([folder])
-    assert runs[0].label == "rules, turning points by LiDAR"
+    assert runs[0].label == "guide, turning points by LiDAR"
     assert "TURNING POINTS BY LIDAR" in shown(runs, "text")
     [line, *_] = csv.DictReader(io.StringIO(shown(runs, "csv")))
     assert line["turning_points"] == "lidar"

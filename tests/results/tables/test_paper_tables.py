@@ -125,7 +125,7 @@ def test_runs_of_one_method_are_told_apart_by_their_folders(
         write("three", [result("a-1", agent="oracle")]),
     ]
     labels = [run.label for run in load_runs(folders)]
-    assert labels == ["rules (one)", "rules (two)", "oracle"]
+    assert labels == ["guide (one)", "guide (two)", "oracle"]
 
 
 def test_a_method_without_a_run_has_a_row_that_says_so_and_a_note_how_to_get_one(

@@ -35,14 +35,14 @@ def test_the_table_of_ones_own_on_the_page_is_one(
         for one in "abc"
         for telling in (1, 2)
     ]
-    write("runs/rules", results)
+    write("runs/guide", results)
     section = PAGE.read_text("utf-8").split("## A table of your own")[1]
     [code] = re.findall(r"```python\n(.*?)```", section.split("\n## ")[0], re.DOTALL)
     monkeypatch.chdir(tmp_path)
     told: dict[str, Any] = {}
     exec(code, told)
-    assert "run rules, 6 episodes" in capsys.readouterr().out
-    table = means_table(load_runs([tmp_path / "runs/rules"]), told["TELLINGS"])
+    assert "run guide, 6 episodes" in capsys.readouterr().out
+    table = means_table(load_runs([tmp_path / "runs/guide"]), told["TELLINGS"])
     found = {row["telling"]: row["turns"] for row in table.records()}
     assert found == {1: 1.0, 2: 0.5}
 

@@ -20,13 +20,10 @@ ALONG = math.radians(30)
 """What lies within this angle of a way lies along it."""
 SURE = 0.8
 """Score from which on a floor is surely the one that was asked for."""
-NEAR = 6.0
-"""Metres within which a thing is at a crossing, if no other is nearer to it, for one
-who sees only what is near."""
 SEES_FAR = 6.0
 """Metres; who has seen something so far away sees far."""
 AT_CROSSING = 2.5
-"""Metres within which it is, whatever other crossings there are."""
+"""Metres within which a place is at a crossing, whatever other crossings there are."""
 USUAL_RIM = 1.2
 """Metres from the middle of a crossing to its rim, before any was measured."""
 SURELY_AT, NOT_AT = 2.0, 4.5
@@ -263,18 +260,6 @@ class FloorMap:
         ):
             return 0.0
         return min(max((rim + NOT_AT - distance) / (NOT_AT - SURELY_AT), 0.0), 1.0)
-
-    def is_at(self, place: Point, crossing_place: Point) -> bool:
-        """Tell whether a thing stands at a crossing, and not rather at another one."""
-        distance = math.dist(place, crossing_place)
-        if distance <= AT_CROSSING:
-            return True
-        if self.sees_far:
-            return False
-        return distance <= NEAR and all(
-            math.dist(place, other.place) >= distance - 1.0
-            for other in self.crossings.values()
-        )
 
     def crossing_near(self, place: Point) -> int | None:
         """Return the crossing that a place is at; None where it is at none."""

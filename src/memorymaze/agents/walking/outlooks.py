@@ -205,14 +205,6 @@ def crossing_has_floor(phrase: str, floor: FloorMap, at: int) -> bool | None:
     return False if len(told) > 1 or (told and len(views) == len(told)) else None
 
 
-def crossing_floor_cost(mention: Mention, floor: FloorMap, at: int | None) -> float:
-    """Compare a floor that a crossing was said to have with the ways out of it."""
-    if at is None or mention.place not in {"turn", "beside", "opposite", "target"}:
-        return 0.0
-    has_floor = crossing_has_floor(mention.phrase, floor, at)
-    return 0.0 if has_floor is None else -1.2 if has_floor else 1.5
-
-
 def first_heading_cost(
     plan: RoutePlan, floor: FloorMap, at: int, heading: float
 ) -> float:

@@ -20,7 +20,7 @@ from memorymaze.sites.records import Site
 HEADINGS = {"east": 0.0, "north": 90.0, "west": 180.0, "south": 270.0}
 """Start headings by name, degrees counter-clockwise from east."""
 DEVELOPMENT = "dev"
-"""Split of the writers whose texts were read while the rules agent was developed."""
+"""Split of the writers whose texts were read while the agents were developed."""
 SUCCESS_DISTANCE = EDGE / 2
 """Metres: at the right node, not at its neighbour."""
 TIME_BUDGET = 400.0

@@ -6,7 +6,7 @@ its field of `EpisodeResult`. All of them are a `memorymaze.tables.Table`, which
 formats. Pages are in `results.report`, statistics of instructions in
 `results.instruction_study`.
 
-    runs = load_runs(["runs/rules", "runs/mine"])
+    runs = load_runs(["runs/guide", "runs/mine"])
     run_tables(runs, "II")[0].frame()
     paired_table(runs, COMPARISON).text()
     success_figure(runs).savefig("success.png")  # from `figures`: it loads matplotlib

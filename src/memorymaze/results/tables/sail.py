@@ -20,7 +20,7 @@ KEY = (
     "[95 % interval], bootstrap over paragraphs. people: share of followers who reached "
     "the goal, all trials on the same paragraphs taken together. usable: the corpus "
     "knows a legal path. development half: paragraphs of the writers whose texts were "
-    "read while the rules agent was developed."
+    "read while the agents were developed."
 )
 Headings = Sequence[EpisodeResult]
 """What came of a paragraph, from each start heading that has been run."""
