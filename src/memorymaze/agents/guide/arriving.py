@@ -21,7 +21,7 @@ from memorymaze.agents.guide.likelihoods import (
     untold_length,
 )
 from memorymaze.agents.guide.said_of_legs import counted_since, rest_to_come
-from memorymaze.agents.guide.things import Things
+from memorymaze.agents.guide.things import Things, passed_after
 from memorymaze.agents.walking.choices import choices_at
 from memorymaze.agents.walking.floor_map import (
     FloorMap,
@@ -30,6 +30,7 @@ from memorymaze.agents.walking.floor_map import (
     Stretch,
     distance_to_line,
     metres_along,
+    side_of_line,
 )
 from memorymaze.agents.walking.outlooks import junction_at_the_end
 from memorymaze.agents.walking.walker import Walker
@@ -158,7 +159,7 @@ class Arrivals:
             along = metres_along(sighting.place, start, end)
             if self._is_off(sighting, stretch, along):
                 continue
-            ratio = self.seen(sighting, (start, end))
+            ratio = self.seen(sighting, (start, end), (*segment.line, end))
             yield Ending(
                 stretch.start,
                 stretch.exit,
@@ -207,7 +208,11 @@ class Arrivals:
                             sighting.place,
                             segment.weights
                             * self._fit(segment, along)
-                            * self.seen(sighting, (crossing.place, end))
+                            * self.seen(
+                                sighting,
+                                (crossing.place, end),
+                                (*segment.line, end),
+                            )
                             * self._things.floors_ahead(
                                 self._legs, frontier.at, frontier.exit
                             ),
@@ -289,15 +294,28 @@ class Arrivals:
             weights = then(weights, 0.0, self._model.no_turn, self._model.again)
         return weights
 
-    def seen(self, sighting: Sighting, line: tuple[Point, ...] = ()) -> float:
-        """Weigh something seen as the destination, by who walks along a line."""
+    def seen(
+        self,
+        sighting: Sighting,
+        line: tuple[Point, ...] = (),
+        since_turn: tuple[Point, ...] = (),
+    ) -> float:
+        """Weigh something seen as the destination, by who walks along a line.
+
+        `since_turn` is the whole way since the last turn, of which that is the end.
+        """
         arrival = self._arrival
         ratio = self._base(sighting)
         ratio *= self._things.side_ratio(arrival.side, sighting, line)
         if arrival.side == "ahead" and is_common(sighting.phrase):
             ratio *= 1.3 if sighting.side == "ahead" else 0.6
         if arrival.nth is not None and arrival.nth > 0:
-            off = abs(self._number_of(sighting) + 1 - arrival.nth)
+            number = (
+                self._number_along(sighting, since_turn)
+                if is_common(sighting.phrase)
+                else self._number_of(sighting)
+            )
+            off = abs(number + 1 - arrival.nth)
             if off or self.only_names(sighting):
                 return min(ratio, 1.0) * NTH[min(max(off, 1), 2)]
             ratio *= NTH[0]
@@ -317,6 +335,21 @@ class Arrivals:
         if self.only_names(sighting):
             ratio **= 0.7
         return ratio
+
+    def _number_along(self, sighting: Sighting, line: tuple[Point, ...]) -> int:
+        """Return how many others of a common name one passes before it on its side."""
+        here = passed_after(sighting.place, line)
+        side = self._arrival.side
+        return sum(
+            each.track != sighting.track
+            and distance_to_line(each.place, line) <= BESIDE
+            and (
+                side not in {"left", "right"} or side_of_line(each.place, line) == side
+            )
+            and (after := passed_after(each.place, line)) is not None
+            and (here is None or after < here)
+            for each in self._floor.seen(sighting.phrase)
+        )
 
     def _number_of(self, sighting: Sighting) -> int:
         """Return how many others of a name told were seen before one, without signs."""

@@ -83,6 +83,7 @@ class Belief:
         """
         least = self.least_weight
         self.start = starts[0].at
+        self.things.forget()
         while self._sum_up(starts, least):
             if self._knows_all_ways():
                 break

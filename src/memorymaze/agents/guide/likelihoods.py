@@ -82,7 +82,7 @@ class Likelihoods:
     """The same of another one."""
     detected: float = 0.8
     """That a thing that is there is seen from the way."""
-    detected_at_turn: float = 0.55
+    detected_at_turn: float = 0.65
     """The same of one that is told at a turn, of which little comes into the picture."""
     side_right: float = 0.75
     """That the side of a thing is told rightly."""
@@ -107,10 +107,7 @@ class Likelihoods:
     @property
     def speakers(self) -> Weights:
         """How likely each speaker is, before a word; all without an error."""
-        rows = np.exp(-0.5 * (_FACTOR_ROW / self.factor_sd) ** 2)
-        rows *= np.where(_ONE_SIDE, self.one_side, 1 - self.one_side)
-        rows *= np.where(_CAREFUL, self.careful, 1 - self.careful)
-        return np.stack([rows / rows.sum(), np.zeros(len(SPEAKERS))])
+        return _speakers(self.factor_sd, self.one_side, self.careful)
 
 
 FACTORS = (-0.5, -0.25, 0.0, 0.25, 0.5)
@@ -142,6 +139,16 @@ MOST_TOLD, MOST_BEYOND = 50, 12
 apart."""
 
 _ONE_SIDE, _FACTOR_ROW, _CAREFUL = map(np.array, zip(*SPEAKERS, strict=True))
+
+
+@lru_cache(maxsize=64)
+def _speakers(factor_sd: float, one_side: float, careful: float) -> Weights:
+    rows = np.exp(-0.5 * (_FACTOR_ROW / factor_sd) ** 2)
+    rows *= np.where(_ONE_SIDE, one_side, 1 - one_side)
+    rows *= np.where(_CAREFUL, careful, 1 - careful)
+    speakers = np.stack([rows / rows.sum(), np.zeros(len(SPEAKERS))])
+    speakers.flags.writeable = False
+    return speakers
 
 
 def then(
@@ -224,6 +231,7 @@ def _survival_ratio(
     return (1 - model.length_outlier) * ratio + model.length_outlier
 
 
+@lru_cache(maxsize=4096)
 def _said_of_any(model: Likelihoods, said: float, spread: float) -> float:
     """Return how likely a length is said of any way, by any speaker."""
     whole = math.hypot(spread, model.way_log_sd)

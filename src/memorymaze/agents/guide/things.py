@@ -63,6 +63,12 @@ class Things:
         self._model = model
         self._mentions = [_things_of(plan, n) for n in range(len(plan.legs) + 1)]
         self._outlooks = [outlook_of(plan, n) for n in range(len(plan.legs) + 1)]
+        self.forget()
+
+    def forget(self) -> None:
+        """Begin to weigh anew, after something was seen."""
+        self._met: dict[tuple[str, tuple[Point, ...]], list[Sighting]] = {}
+        self._heard: dict[tuple[int, tuple[Point, ...]], Heard | None] = {}
 
     def mentions(self, number: int) -> tuple[Mention, ...]:
         """Return the things on a leg, or on the last stretch."""
@@ -248,24 +254,32 @@ class Things:
 
     def _seen_along(self, mention: Mention, line: tuple[Point, ...]) -> Heard | None:
         """Weigh that a thing was seen along a way; None where it was not."""
-        met = self._met_along(mention.phrase, line)
-        if mention.place == "passed":
-            met = [each for each in met if _passed_at(each.place, line) is not None]
-        return self._best(mention, met, max(_length(line), 4.0), line)
+        # Many alignments walk one line.
+        key = id(mention), line
+        if key not in self._heard:
+            met = self._met_along(mention.phrase, line)
+            if mention.place == "passed":
+                met = [e for e in met if passed_after(e.place, line) is not None]
+            reach = max(_length(line), 4.0)
+            self._heard[key] = self._best(mention, met, reach, line)
+        return self._heard[key]
 
     def _met_along(self, phrase: str, line: tuple[Point, ...]) -> list[Sighting]:
-        return [
-            each
-            for each in self._floor.seen(phrase)
-            if distance_to_line(each.place, line) <= BESIDE
-        ]
+        met = self._met.get((phrase, line))
+        if met is None:
+            met = self._met[phrase, line] = [
+                each
+                for each in self._floor.seen(phrase)
+                if distance_to_line(each.place, line) <= BESIDE
+            ]
+        return met
 
     def passed_at(self, phrase: str, line: tuple[Point, ...]) -> float | None:
         """Return after how many metres of a line a thing is passed; None if it is not."""
         met = self._met_along(phrase, line)
         if not met:
             return None
-        return _passed_at(max(met, key=lambda each: each.score).place, line)
+        return passed_after(max(met, key=lambda each: each.score).place, line)
 
     def _best(
         self,
@@ -319,7 +333,7 @@ def _things_of(plan: RoutePlan, number: int) -> tuple[Mention, ...]:
     )
 
 
-def _passed_at(place: Point, line: tuple[Point, ...]) -> float | None:
+def passed_after(place: Point, line: tuple[Point, ...]) -> float | None:
     """Return after how many metres of a line a place is passed; None if it is not."""
     begun, passed, least = 0.0, 0.0, math.inf
     for start, end in pairwise(line):
