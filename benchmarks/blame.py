@@ -16,28 +16,17 @@ from dataclasses import dataclass, field
 from unittest.mock import patch
 
 import numpy as np
-from shapely import Point
 
+from benchmarks.decisions import Moment, watched_walks
 from benchmarks.made_walks import ToldWay, made_walks_parser, told_by
-from benchmarks.plan_walks import given_plans
 from memorymaze.agents.guide import arriving, belief, said_of_legs
-from memorymaze.agents.guide.agent import GuideAgent, GuideOptions
 from memorymaze.agents.guide.alignments import Frontier
 from memorymaze.agents.guide.arriving import Ending
 from memorymaze.agents.guide.choosing import Choice
 from memorymaze.agents.guide.things import Things
-from memorymaze.evaluation.arena import Arena
-from memorymaze.evaluation.episode import run_episode
-from memorymaze.evaluation.plan import plan_run
-from memorymaze.evaluation.settings import AgentSettings, RunSettings
-from memorymaze.instructions import Corpus
-from memorymaze.instructions.corpus import episodes
-from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.tables import Column, Table
 
 ARRIVED = 3.0
-BEYOND = 2.0
-"""Metres beyond a turning point where the way on from it is measured."""
 NEUTRAL: Mapping[str, tuple[tuple[object, str, Callable[..., object]], ...]] = {
     "length": (
         (said_of_legs, "length_ratio", lambda *_: 1.0),
@@ -77,7 +66,6 @@ NEUTRAL: Mapping[str, tuple[tuple[object, str, Callable[..., object]], ...]] = {
 }
 """What stands for each kind of evidence where it is to say nothing."""
 PRICE = "metres"
-DECIDE = Choice.best
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,63 +83,26 @@ class FirstMistake:
 
 
 class _Witness:
-    """Looks on at the decisions of a walk, and knows the way."""
+    """Finds the first mistake of a walk."""
 
-    def __init__(self, told: ToldWay, robot: SimulatedRobot) -> None:
-        self._told, self._robot = told, robot
-        self._points = {e.id: e.polygon for e in told.site.turning_points}
+    def __init__(self) -> None:
         self.found: FirstMistake | None = None
 
-    def see(self, choice: Choice, step: object) -> None:
+    def see(self, _: ToldWay, now: Moment) -> None:
         """Compare a decision with the way."""
         if self.found is not None:
             return
-        line = self._told.route.line
-        x, y, _ = self._robot.pose
-        here = Point(x, y)
-        at_goal = here.distance(Point(line.coords[-1])) < ARRIVED
+        step = now.step
         if isinstance(step, Ending) or step is None:
-            if not self._ends_at_goal(step):
-                self._note(choice, "stopped", step)
-        elif at_goal and line.project(here) > line.length - 2 * ARRIVED:
-            self._note(choice, "left the place", step)
-        elif isinstance(step, Frontier):
-            right = self._right_way(choice)
-            if right is None or (step.at, step.exit) == (right.at, right.exit):
-                return
-            self._note(choice, "turned", step, right)
-
-    def _ends_at_goal(self, ending: Ending | None) -> bool:
-        if ending is None:
-            return False
-        start = self._told.route.start_heading
-        x0, y0 = self._told.route.line.coords[0][:2]
-        x, y = ending.place
-        there = (
-            x0 + x * math.cos(start) - y * math.sin(start),
-            y0 + x * math.sin(start) + y * math.cos(start),
-        )
-        # The map of the agent is not exact.
-        return math.dist(there, self._told.route.line.coords[-1][:2]) < 2 * ARRIVED
-
-    def _right_way(self, choice: Choice) -> Frontier | None:
-        """Return the way on along the route; None where the robot is not on it."""
-        line, (x, y, _) = self._told.route.line, self._robot.pose
-        here = Point(x, y)
-        s = line.project(here)
-        if line.distance(here) > 2.5:
-            return None
-        near = min(self._points.values(), key=lambda each: each.distance(here))
-        while s < line.length and near.distance(line.interpolate(s)) < BEYOND:
-            s += 0.25
-        there, centre = line.interpolate(s), near.centroid
-        heading = math.atan2(there.y - centre.y, there.x - centre.x)
-        heading -= self._told.route.start_heading
-        crossing = choice._walker.map.crossings[choice._walker.at]  # pyright: ignore
-        exit = crossing.find_exit(math.remainder(heading, math.tau))
-        if exit is None:
-            return None
-        return choice._tellings.frontiers.get((crossing.number, exit))  # pyright: ignore
+            near = step is not None and math.dist(step.place, now.goal) < 2 * ARRIVED
+            if not near:
+                self._note(now.choice, "stopped", step)
+        elif now.at_goal and now.arrives:
+            self._note(now.choice, "left the place", step)
+        elif isinstance(step, Frontier) and now.right is not None:
+            right = now.choice._tellings.frontiers.get(now.right)  # pyright: ignore
+            if right is not None and (step.at, step.exit) != now.right:
+                self._note(now.choice, "turned", step, right)
 
     def _note(
         self,
@@ -190,45 +141,14 @@ class _Witness:
         self.found = FirstMistake(what, share, nats, frozenset(mended))
 
 
-class _Watching:
-    """Hands the robot of an episode to its witness."""
-
-    def __init__(self, told: ToldWay) -> None:
-        self._told = told
-        self.witness: _Witness | None = None
-
-    def begin(self, robot: SimulatedRobot, _: object) -> None:
-        self.witness = _Witness(self._told, robot)
-
-    def told(self) -> None:
-        """Nothing is to be done when a trace has grown."""
-
-    def best(self, choice: Choice) -> object:
-        """Decide as the guide does, before the witness."""
-        step = DECIDE(choice)
-        if self.witness is not None:
-            self.witness.see(choice, step)
-        return step
-
-
 def first_mistakes(
     told: Sequence[ToldWay], seed: int
 ) -> Iterator[tuple[ToldWay, bool, FirstMistake | None]]:
     """Walk ways with the guide; yield whether each arrived, and its first mistake."""
-    sites = {each.site.name: each.site for each in told}
-    instructions = [each.instruction for each in told]
-    corpus = Corpus("plans", tuple(episodes(instructions, sites)), sites, ())
-    settings = given_plans(AgentSettings("guide"))
-    plan = plan_run(settings, corpus, RunSettings(seed=seed))
-    agent = GuideAgent(GuideOptions(reader="plan"))
-    arenas = {name: Arena(site) for name, site in sites.items()}
-    for each, episode in zip(told, corpus.episodes, strict=True):
-        watching = _Watching(each)
-        with patch.object(Choice, "best", lambda choice, w=watching: w.best(choice)):
-            arena = arenas[each.site.name]
-            run = run_episode(agent, episode, arena, plan.settings, watching)
-        assert watching.witness is not None
-        yield each, run.result.success, watching.witness.found
+    for each in told:
+        witness = _Witness()
+        for _, arrived in watched_walks([each], seed, witness.see):
+            yield each, arrived, witness.found
 
 
 def main() -> int:
