@@ -52,6 +52,14 @@ def test_simple_instructions_lead_to_their_goal(
     assert 0.3 < arrival["confidence"] <= 1
 
 
+def test_it_weighs_whether_it_is_there_once_it_passed_what_was_told(
+    take_walk: TakeWalk,
+) -> None:
+    walk = take_walk("corridor", "Walk 10 metres and stop at the bench on your right.")
+    assert walk.ends_near(10, 0)
+    assert max(x for x, _ in walk.points) < 14
+
+
 def test_opposite_words_lead_to_opposite_ends(take_walk: TakeWalk) -> None:
     assert take_walk("t_junction", "At the end turn left.").ends_near(-11, 0)
     assert take_walk("t_junction", "At the end turn right.").ends_near(11, 0)

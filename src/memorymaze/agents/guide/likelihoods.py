@@ -32,21 +32,21 @@ class Likelihoods:
     """Of going straight past an opening without a word."""
     pass_fitting: float = 0.45
     """The same where the next turn told, about which nothing else is said, fits it."""
-    corner_untold: float = 0.5
+    corner_untold: float = 0.37
     """Of a corner without a choice that is not told."""
-    bend_untold: float = 0.7
+    bend_untold: float = 0.45
     """The same of one of 45 degrees; the slighter a bend, the less it counts."""
     choice_untold: float = 0.06
     """Of a turn left out where one has to choose (an error)."""
-    turn_untold: float = 0.025
+    turn_untold: float = 0.015
     """Of a turn left out where one could go on (an error)."""
-    wrong_side: float = 0.04
+    wrong_side: float = 0.03
     """Of a turn told to the wrong side (an error)."""
     no_turn: float = 0.05
     """Of a turn told that there is not (an error)."""
-    no_bend: float = 0.1
+    no_bend: float = 0.06
     """The same where it was told as a bend, or as slight."""
-    wrong_place: float = 0.05
+    wrong_place: float = 0.03
     """That all is wrong that is said of where to turn (an error)."""
     wrong_start: float = 0.03
     """That the way begins in another direction (an error)."""

@@ -32,13 +32,15 @@ from memorymaze.agents.walking.walker import Walker
 from memorymaze.geometry.pose import wrap_angle
 from memorymaze.routes import RoutePlan
 
-MOST_PHRASES, LIKELY_ENOUGH = 15, 0.02
+MOST_PHRASES, LIKELY_ENOUGH = 24, 0.02
 """Things looked for at a time, and how likely a leg has to be for its things to count."""
 MOST_DECISIONS = 400
 SEES_MOST = 0.95
 """Share of what stands beside its way from which on it need not look there."""
 GLANCE_METRES = 2.4
 """Metres of a wide way, on which the place may be, between two looks beside it."""
+PAST = 1.0
+"""Metres beyond something named as the destination at which to weigh whether it is."""
 SHORT_OF_THE_END = 1.5
 """Metres before the end of a way at which to stop where nothing was seen of the place."""
 
@@ -77,6 +79,9 @@ class Search:
         self._looks = each_once(map(looks_of, plans))
         """What tells ways apart: looked for at every crossing."""
         self._doubted: frozenset[tuple[str, int]] = frozenset()
+        self._beside: dict[int, Sighting] = {}
+        """What may be the destination on the present way, by track, until it is passed."""
+        self._weighed: set[int] = set()
 
     def run(self) -> None:
         """Walk until arrived, or until there is no hope."""
@@ -240,8 +245,11 @@ class Search:
             return False
 
         answers: list[tuple[Answer, float]] = []
-        wide = self._may_end_on(frontier) and walker.map.seen_beside < SEES_MOST
+        may_end = self._may_end_on(frontier)
+        wide = may_end and walker.map.seen_beside < SEES_MOST
         side, glanced = self._plans[0].arrival.side, [begin]
+        passed: list[bool] = []
+        self._beside.clear()
 
         def told(seen: list[Sighting]) -> bool:
             if self._inquiry is not None:
@@ -253,7 +261,11 @@ class Search:
             if wide and walker.travelled - glanced[-1] >= GLANCE_METRES:
                 glanced.append(walker.travelled)
                 seen = [*seen, *walker.glance(self._tellings.names, side)]
-            return arrived(seen)
+            if arrived(seen):
+                return True
+            if may_end and self._passes_what_was_told(seen):
+                passed.append(True)
+            return bool(passed) and not walker.is_in_turning_point
 
         stretch = walker.follow_exit(frontier.exit, self._phrases(frontier), told)
         for answer, walked in answers:
@@ -263,12 +275,34 @@ class Search:
             if walked > 0 and not walker.is_in_turning_point:
                 walker.halt()
             self._heed(answer)
+        if stretch is None and passed and not found and not answers:
+            walker.halt()
         if found:
             sighting, chance = found[0]
             self._arrive(f"{sighting.phrase} seen", chance)
             walk_up_to(walker, sighting, self._tellings.names)
             return True
         return False
+
+    def _passes_what_was_told(self, seen: list[Sighting]) -> bool:
+        """Tell whether a thing that may be the destination was passed just now.
+
+        At a name that is met once it stops before.
+        """
+        tellings = self._tellings
+        common = set(tellings.names).difference(tellings.names_at_once)
+        for each in seen:
+            if each.phrase in common and each.track not in self._weighed:
+                self._beside[each.track] = each
+        gone = [
+            track
+            for track, each in self._beside.items()
+            if self._walker.metres_until_abreast(each) < -PAST
+        ]
+        for track in gone:
+            del self._beside[track]
+        self._weighed.update(gone)
+        return bool(gone)
 
     def _may_end_on(self, frontier: Frontier) -> bool:
         """Tell whether all turns are likely made where a way begins."""

@@ -75,8 +75,11 @@ class Things:
         return self._mentions[number]
 
     def phrases(self, number: int) -> list[str]:
-        """Return what to look for on a leg, or on the last stretch."""
-        return [each.phrase for each in self._mentions[number]]
+        """Return what to look for on a leg, or on the last stretch; first at its end."""
+        things = sorted(
+            self._mentions[number], key=lambda e: e.place not in AT_THE_TURN
+        )
+        return [each.phrase for each in things]
 
     def awaited(self, number: int, line: tuple[Point, ...], at: int) -> bool:
         """Tell whether a leg is told by a thing that was not come to at a crossing."""
