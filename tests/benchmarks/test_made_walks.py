@@ -2,7 +2,7 @@ from pathlib import Path
 
 import pytest
 
-from benchmarks import blame, made_walks
+from benchmarks import blame, fit, made_walks
 
 
 def _ran(
@@ -44,3 +44,16 @@ def test_each_evidence_is_blamed_for_what_it_made_of_wrong_turns(
     told = capsys.readouterr().out
     assert "The first mistake of walks that were lost" in told
     assert all(name in told for name in blame.NEUTRAL)
+
+
+@pytest.mark.proof
+def test_decisions_of_walks_are_weighed_by_what_was_right(tmp_path: Path) -> None:
+    floors = {"office": [made_walks.FIRST_SEED]}
+    told = list(made_walks.told_ways(floors, "exact", 1, 0, tmp_path))
+    kept = fit.snapshots(told, 0, "exact")
+    assert len(kept) == fit.MOST_A_WALK * len(told)
+    as_set = [fit.chance_of_right(each, fit.Likelihoods()) for each in kept]
+    sloppy = fit.Likelihoods(wrong_side=0.5, no_turn=0.5, turn_untold=0.5)
+    others = [fit.chance_of_right(each, sloppy) for each in kept]
+    assert 0.5 < min(as_set)
+    assert sum(as_set) > sum(others)
