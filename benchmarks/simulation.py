@@ -1,7 +1,8 @@
 """How much faster than real time the simulation runs on one core, without pictures.
 
 Seconds are of processor time, so that other work on the machine counts less. The
-baseline is the physics engine alone, with the same building and robot.
+baseline is the physics engine alone, with the same building and robot; of the episodes
+without physics, the same ones with it.
 """
 
 import time
@@ -10,6 +11,14 @@ from collections.abc import Callable
 import numpy as np
 
 from benchmarks.measuring import Row, best_ms
+from memorymaze.evaluation.episode_worker import (
+    EpisodeDone,
+    EpisodeTask,
+    EpisodeWorker,
+)
+from memorymaze.evaluation.named_settings import with_choices
+from memorymaze.evaluation.plan import plan_run
+from memorymaze.evaluation.settings import RunSettings
 from memorymaze.simulation.motion.wheeled_base import WheeledBase
 from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.simulation.scene import Scene, build_scene
@@ -23,6 +32,7 @@ from memorymaze.sites import (
 
 PHYSICS_ALONE = "mj_step alone, the robot driving back and forth"
 REPEATS = 3
+EPISODES = 12
 
 
 def run() -> list[Row]:
@@ -43,7 +53,33 @@ def run() -> list[Row]:
         for route in site.routes:
             if route.role == "reference":
                 rows += drives(scene, route, physics)
+    rows += [
+        Row(
+            f"episodes of the {agent}, motion=kinematic",
+            episodes_a_second(agent, "kinematic"),
+            "episodes/s",
+            episodes_a_second(agent, "physics"),
+            "the same episodes, motion=physics",
+            higher_is_better=True,
+        )
+        for agent in ("oracle", "guide")
+    ]
     return rows
+
+
+def episodes_a_second(agent: str, motion: str) -> float:
+    """Walk the same episodes twice, and return how many a core does the second time."""
+    choices = {"limit": EPISODES, "motion": motion}
+    plan = plan_run(agent, settings=with_choices(RunSettings(), choices))
+    run = EpisodeWorker.of(plan, plan.settings)()
+    seconds = 0.0
+    for _ in range(2):
+        began = time.process_time()
+        for episode in plan.episodes:
+            if not isinstance(run(EpisodeTask(episode)), EpisodeDone):
+                raise AssertionError(f"{episode.id}: ended without a result")
+        seconds = time.process_time() - began
+    return len(plan.episodes) / seconds
 
 
 def from_plan(site: Site) -> Scene:

@@ -19,6 +19,7 @@ from memorymaze.simulation.settings import SimulationSettings
         {"rolling_speed": 2.0},
         {"wheel_noise": -0.1},
         {"turning_points": "radar"},
+        {"motion": "gliding"},
     ],
     ids=lambda wrong: next(iter(wrong)),
 )

@@ -65,6 +65,8 @@ def method_label(settings: RunDefinition, results: Iterable[EpisodeResult]) -> s
     name = ", ".join(sorted(names)) or settings.agent.name
     if settings.simulation.turning_points == "lidar":
         name += ", turning points by LiDAR"
+    if settings.simulation.motion == "kinematic":
+        name += ", kinematic"
     if settings.detector != TRUTH:
         name += f", {settings.detector.short_name}"
     if settings.signs != "truth":
@@ -101,6 +103,8 @@ def sense_notes(settings: RunSettings) -> Iterator[str]:
     """Say with which senses a run is made, where they are not those that know it all."""
     if settings.simulation.turning_points == "lidar":
         yield "TURNING POINTS BY LIDAR (scans and odometry), not from the site plan."
+    if settings.simulation.motion == "kinematic":
+        yield "KINEMATIC MOTION: the robot goes for its speeds exactly, without physics."
     if settings.looks is not None:
         yield f"cameras show {LOOKS[settings.looks]}"
     metres = settings.simulation.detection_range

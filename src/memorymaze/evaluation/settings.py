@@ -201,6 +201,7 @@ class RunSettings:
         check_word("budget_by", self.budget_by, BudgetBy)
         check_word("passers_by", self.passers_by, PassersBy)
         self._check_asking()
+        self.simulation.check_motion(as_in_plan=self.obstacles is None)
         check_word("signs", self.signs, SignSource)
         if self.looks is not None:
             check_word("looks", self.looks, Looks)

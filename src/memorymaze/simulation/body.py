@@ -18,6 +18,7 @@ from memorymaze.perception.camera_view import CameraView
 from memorymaze.robot.sensors_and_motion import OdometryReading
 from memorymaze.robot.steps import CameraPicture, LidarScan
 from memorymaze.simulation.cameras import CameraMaker, RobotCameras
+from memorymaze.simulation.motion.kinematic_base import KinematicBase
 from memorymaze.simulation.motion.wheeled_base import WheeledBase
 from memorymaze.simulation.obstacles.surroundings import ObstacleSurroundings
 from memorymaze.simulation.scene import Scene
@@ -46,6 +47,21 @@ class Collision:
     """Id of what was touched; None for a wall."""
 
 
+def base_for(
+    scene: Scene, start: Pose, settings: SimulationSettings, rng: np.random.Generator
+) -> WheeledBase | KinematicBase:
+    """Put what moves the robot at rest on its start pose.
+
+    Raises:
+        SettingsError: The building has things or people, which takes physics.
+    """
+    settings.check_motion(as_in_plan=scene.obstacles is None)
+    if settings.motion == "kinematic":
+        return KinematicBase(scene.model, start, settings, rng, scene.touchables)
+    tangible = scene.tangible, scene.tangible_geoms
+    return WheeledBase(scene.model, start, settings, rng, tangible)
+
+
 class SimulatedBody:
     """The robot's body in one episode; implements `SensorsAndMotion`."""
 
@@ -69,8 +85,7 @@ class SimulatedBody:
         """
         self.scene = scene
         """The building it is in."""
-        tangible = scene.tangible, scene.tangible_geoms
-        self.base = WheeledBase(scene.model, start, settings, rng, tangible)
+        self.base = base_for(scene, start, settings, rng)
         self.pose = self.base.pose
         """Where it really is."""
         self.surroundings: ObstacleSurroundings | None = None

@@ -15,6 +15,7 @@ from shapely import Polygon
 from shapely.geometry.polygon import orient
 
 from memorymaze.simulation.motion.clearance import Clearance
+from memorymaze.simulation.motion.kinematic_base import Touchables
 from memorymaze.simulation.motion.straight_ways import StraightWays
 from memorymaze.simulation.motion.wheeled_base import (
     FLOOR_CONTACT,
@@ -105,6 +106,20 @@ class Scene:
         """Distances to walls and obstacles."""
         obstacles = [thing.footprint for thing in self.site.landmarks if thing.obstacle]
         return Clearance(self.site.walkable_floor, obstacles)
+
+    @cached_property
+    def touchables(self) -> Touchables:
+        """What a robot without physics may touch."""
+        walls = [geom for geom, it in enumerate(self.objects) if it.kind == "wall"]
+        lines = [each.face for each in walls_around(self.site.walkable_floor)]
+        return Touchables(
+            zip(walls, lines, strict=True),
+            (
+                (self.geom_ids[each.id], each.footprint)
+                for each in self.site.landmarks
+                if each.obstacle
+            ),
+        )
 
     @cached_property
     def straight_ways(self) -> StraightWays:

@@ -1,10 +1,10 @@
 """The numbers of a simulation: the robot's abilities and the limits of an episode."""
 
 from dataclasses import dataclass
-from typing import Literal, get_args
+from typing import Literal
 
 from memorymaze.errors import SettingsError
-from memorymaze.options import check_number
+from memorymaze.options import check_number, check_word
 from memorymaze.steering.settings import TICK, RobotSettings
 
 TIMESTEP = TICK
@@ -12,6 +12,9 @@ TIMESTEP = TICK
 
 TurningPoints = Literal["annotated", "lidar"]
 """Where turning points come from: the site plan, or the robot's LiDAR and odometry."""
+
+MovedBy = Literal["physics", "kinematic"]
+"""What moves the robot: the physics engine, or its speeds alone."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,6 +32,9 @@ class SimulationSettings(RobotSettings):
     turning_points: TurningPoints = "annotated"
     """where the robot knows turning points from: annotated (the site plan), or lidar (its
     scans and odometry)"""
+    motion: MovedBy = "physics"
+    """what moves the robot: physics (wheels, friction, contacts), or kinematic (it goes for
+    its speeds exactly; faster, for training and benches; docs/simulation.md)"""
 
     def __post_init__(self) -> None:
         """Check every value."""
@@ -37,8 +43,14 @@ class SimulationSettings(RobotSettings):
         name = "simulation setting"
         check_number(f"{name} sampling_period", self.sampling_period, above=0)
         check_number(f"{name} wheel_noise", self.wheel_noise, least=0)
-        if self.turning_points not in get_args(TurningPoints):
+        check_word(f"{name} turning_points", self.turning_points, TurningPoints)
+        check_word(f"{name} motion", self.motion, MovedBy)
+
+    def check_motion(self, *, as_in_plan: bool) -> None:
+        """Refuse a robot without physics where things stand or people walk."""
+        if self.motion == "kinematic" and not as_in_plan:
             raise SettingsError(
-                f"{name} turning_points: expected one of "
-                f"{', '.join(get_args(TurningPoints))}; got {self.turning_points!r}"
+                "motion: kinematic expects a building as in its plan, got one with "
+                "obstacles or people, whom a robot touches by physics alone; give "
+                "motion=physics, or leave obstacles and ask out"
             )

@@ -46,6 +46,8 @@ class _Wall:
     """Along the wall, radians."""
     ring: int
     """0 on the floor's outer boundary, n on the boundary of its n-th hole."""
+    face: LineString
+    """Its side to the floor."""
 
 
 def walls_around(floor: Polygon) -> list[_Wall]:
@@ -84,6 +86,7 @@ def _walls_along(corners: list[tuple[float, float]], ring: int) -> Iterator[_Wal
             half_thickness=WALL_THICKNESS / 2,
             heading=math.atan2(uy, ux),
             ring=ring,
+            face=LineString([(ax, ay), (bx, by)]),
         )
 
 

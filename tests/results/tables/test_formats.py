@@ -5,7 +5,7 @@ import re
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Literal
+from typing import Any, Literal
 
 import pandas
 import pytest
@@ -117,19 +117,37 @@ def test_csv_gives_back_every_row_unrounded(runs: list[MeasuredRun]) -> None:
         assert line["time_budget_s"] == ("" if is_published else "529.0")
 
 
-def test_turning_points_by_lidar_are_stated_above_the_table(
-    tmp_path: Path, record: RunRecord, result: Make
+@pytest.mark.parametrize(
+    ("name", "value", "label", "note"),
+    [
+        (
+            "turning_points",
+            "lidar",
+            "turning points by LiDAR",
+            "TURNING POINTS BY LIDAR",
+        ),
+        ("motion", "kinematic", "kinematic", "KINEMATIC MOTION"),
+    ],
+)
+def test_what_the_simulation_does_otherwise_is_stated_above_the_table(
+    tmp_path: Path,
+    record: RunRecord,
+    result: Make,
+    name: str,
+    value: Any,
+    label: str,
+    note: str,
 ) -> None:
-    sensing = replace(record.settings.simulation, turning_points="lidar")
-    settings = replace(record.settings, simulation=sensing)
-    folder = tmp_path / "sensing"
+    changed = replace(record.settings.simulation, **{name: value})
+    settings = replace(record.settings, simulation=changed)
+    folder = tmp_path / "otherwise"
     with open_run_folder(folder, replace(record, settings=settings), resume=False) as r:
         r.add(result("a-1"))
     runs = load_runs([folder])
-    assert runs[0].label == "guide, turning points by LiDAR"
-    assert "TURNING POINTS BY LIDAR" in shown(runs, "text")
+    assert runs[0].label == f"guide, {label}"
+    assert note in shown(runs, "text")
     [line, *_] = csv.DictReader(io.StringIO(shown(runs, "csv")))
-    assert line["turning_points"] == "lidar"
+    assert line[name] == value
 
 
 @pytest.fixture

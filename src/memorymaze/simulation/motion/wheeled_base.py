@@ -102,6 +102,27 @@ def add_wheeled_base(spec: mujoco.MjSpec) -> None:
         motor.forcerange = [-8, 8]
 
 
+class WheelErrors:
+    """How far the speed of each wheel is off, drawn anew for each decision."""
+
+    def __init__(self, noise: float, rng: np.random.Generator) -> None:
+        """Take the standard deviation of the relative error."""
+        self._noise = noise
+        self._rng = rng
+        self._errors: list[float] = []
+
+    def wheel_speeds(self, speed: float, turn_rate: float) -> tuple[float, float]:
+        """Return how fast the left and the right wheel are to go, metres per second."""
+        across = turn_rate * WHEEL_OFFSET
+        left, right = speed - across, speed + across
+        if self._noise > 0:
+            if len(self._errors) < 2:
+                self._errors = self._rng.normal(1.0, self._noise, 512).tolist()
+            left *= self._errors.pop()
+            right *= self._errors.pop()
+        return left, right
+
+
 class WheeledBase:
     """The moving robot in one episode: wheel speeds in, pose out.
 
@@ -129,9 +150,7 @@ class WheeledBase:
         self._geoms = geoms
         self._model = model
         self._groups = moving.geom_group.tolist()
-        self._noise = settings.wheel_noise
-        self._rng = rng
-        self._errors: list[float] = []
+        self._errors = WheelErrors(settings.wheel_noise, rng)
         self._qpos = self._moving.qpos
         self._qvel = self._moving.qvel
         self._ctrl = self._moving.ctrl
@@ -160,13 +179,7 @@ class WheeledBase:
 
         Metres per second, negative backs up; radians per second, left positive.
         """
-        across = turn_rate * WHEEL_OFFSET
-        left, right = speed - across, speed + across
-        if self._noise > 0:
-            if len(self._errors) < 2:
-                self._errors = self._rng.normal(1.0, self._noise, 512).tolist()
-            left *= self._errors.pop()
-            right *= self._errors.pop()
+        left, right = self._errors.wheel_speeds(speed, turn_rate)
         self._ctrl[0] = left / WHEEL_RADIUS
         self._ctrl[1] = right / WHEEL_RADIUS
         mujoco.mj_step(self._moving_model, self._moving, nstep=steps)

@@ -3,9 +3,10 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import shapely
-from shapely import Point
+from shapely import Point, Polygon
 
 from memorymaze.geometry.points import XY
 from memorymaze.geometry.pose import Pose, turn_between
@@ -16,6 +17,8 @@ from memorymaze.steering.turning_points import Stay, WayOut, where_lines_meet
 
 WAY_BACK_TOLERANCE = math.radians(75)
 """Greatest angle between an exit and straight back for it to be the way it came."""
+CELL = 2.0
+"""Metres; turning points are found by squares of this size."""
 OTHER_FLOOR_PENALTY = 0.5
 """Radians added to that angle when the exit leads to other floor than it came from."""
 
@@ -26,16 +29,8 @@ class AnnotatedTurningPoints:
     def __init__(self, scene: Scene) -> None:
         """Begin outside all turning points."""
         self._scene = scene
-        site = scene.site
-        # Called 20 times a simulated second: plain numbers, the boxes first.
-        self._boxes = [
-            (*point.polygon.bounds, _outline(point)) for point in site.turning_points
-        ]
-        self._floors = {
-            each.id: each.polygon
-            for each in (*site.corridors, *site.areas, *site.turning_points)
-        }
-        self._visits: dict[int, _Visit] = {}
+        self._cells, self._floors = _outlines(scene), _floors(scene)
+        self._visits: dict[str, _Visit] = {}
         self._numbers: dict[str, int] = {}
         self._current: _Visit | None = None
 
@@ -55,19 +50,19 @@ class AnnotatedTurningPoints:
         if travel is None:
             return
         x, y, _ = pose
-        visits = self._visits
+        before, self._visits = self._visits, {}
         nearest, least = None, math.inf
-        for index, (west, south, east, north, outline) in enumerate(self._boxes):
-            if west <= x <= east and south <= y <= north and outline.covers(x, y):
-                if index not in visits:
-                    point = outline.point
+        for outline in self._cells.get((x // CELL, y // CELL), ()):
+            if outline.covers(x, y):
+                point = outline.point
+                visit = before.get(point.id)
+                if visit is None:
                     came_by = self._way_back(point, x, y, travel)
-                    visits[index] = _Visit(point, self._scene, came_by)
+                    visit = _Visit(point, self._scene, came_by)
+                self._visits[point.id] = visit
                 distance = (x - outline.centre_x) ** 2 + (y - outline.centre_y) ** 2
                 if distance < least:
-                    nearest, least = visits[index], distance
-            elif index in visits:
-                del visits[index]
+                    nearest, least = visit, distance
         self._current = nearest
         if nearest is not None and nearest.point.id not in self._numbers:
             self._numbers[nearest.point.id] = len(self._numbers) + 1
@@ -144,6 +139,28 @@ class _Outline:
         return True
 
 
-def _outline(point: TurningPoint) -> _Outline:
-    centre = point.polygon.centroid
-    return _Outline(point, counter_clockwise(point.polygon), centre.x, centre.y)
+@lru_cache(maxsize=8)
+def _outlines(scene: Scene) -> dict[tuple[float, float], list[_Outline]]:
+    """Return the turning points that reach into each square, in the plan's order.
+
+    Asked 20 times a simulated second.
+    """
+    cells: dict[tuple[float, float], list[_Outline]] = {}
+    for point in scene.site.turning_points:
+        centre = point.polygon.centroid
+        corners = counter_clockwise(point.polygon)
+        outline = _Outline(point, corners, centre.x, centre.y)
+        west, south, east, north = (each // CELL for each in point.polygon.bounds)
+        for column in range(int(west), int(east) + 1):
+            for row in range(int(south), int(north) + 1):
+                cells.setdefault((column, row), []).append(outline)
+    return cells
+
+
+@lru_cache(maxsize=8)
+def _floors(scene: Scene) -> dict[str, Polygon]:
+    site = scene.site
+    return {
+        each.id: each.polygon
+        for each in (*site.corridors, *site.areas, *site.turning_points)
+    }
