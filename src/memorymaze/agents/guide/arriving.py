@@ -318,7 +318,8 @@ class Arrivals:
             off = abs(number + 1 - arrival.nth)
             if off or self.only_names(sighting):
                 return min(ratio, 1.0) * NTH[min(max(off, 1), 2)]
-            ratio *= NTH[0]
+            # Most ways have a second door.
+            ratio *= 1.0 if is_common(sighting.phrase) else NTH[0]
         return ratio
 
     def _base(self, sighting: Sighting) -> float:

@@ -39,8 +39,8 @@ SEES_MOST = 0.95
 """Share of what stands beside its way from which on it need not look there."""
 GLANCE_METRES = 2.4
 """Metres of a wide way, on which the place may be, between two looks beside it."""
-PAST = 1.0
-"""Metres beyond something named as the destination at which to weigh whether it is."""
+BEYOND, PAST = 1.5, 3.0
+"""Times the length told of the last stretch, and metres more, after which to think anew."""
 SHORT_OF_THE_END = 1.5
 """Metres before the end of a way at which to stop where nothing was seen of the place."""
 
@@ -79,9 +79,6 @@ class Search:
         self._looks = each_once(map(looks_of, plans))
         """What tells ways apart: looked for at every crossing."""
         self._doubted: frozenset[tuple[str, int]] = frozenset()
-        self._beside: dict[int, Sighting] = {}
-        """What may be the destination on the present way, by track, until it is passed."""
-        self._weighed: set[int] = set()
 
     def run(self) -> None:
         """Walk until arrived, or until there is no hope."""
@@ -248,8 +245,7 @@ class Search:
         may_end = self._may_end_on(frontier)
         wide = may_end and walker.map.seen_beside < SEES_MOST
         side, glanced = self._plans[0].arrival.side, [begin]
-        passed: list[bool] = []
-        self._beside.clear()
+        too_far: list[bool] = []
 
         def told(seen: list[Sighting]) -> bool:
             if self._inquiry is not None:
@@ -263,9 +259,11 @@ class Search:
                 seen = [*seen, *walker.glance(self._tellings.names, side)]
             if arrived(seen):
                 return True
-            if may_end and self._passes_what_was_told(seen):
-                passed.append(True)
-            return bool(passed) and not walker.is_in_turning_point
+            if may_end and self._is_beyond_what_was_told(
+                frontier.best, walker.travelled - begin
+            ):
+                too_far.append(True)
+            return bool(too_far) and not walker.is_in_turning_point
 
         stretch = walker.follow_exit(frontier.exit, self._phrases(frontier), told)
         for answer, walked in answers:
@@ -275,7 +273,7 @@ class Search:
             if walked > 0 and not walker.is_in_turning_point:
                 walker.halt()
             self._heed(answer)
-        if stretch is None and passed and not found and not answers:
+        if stretch is None and too_far and not found and not answers:
             walker.halt()
         if found:
             sighting, chance = found[0]
@@ -284,25 +282,13 @@ class Search:
             return True
         return False
 
-    def _passes_what_was_told(self, seen: list[Sighting]) -> bool:
-        """Tell whether a thing that may be the destination was passed just now.
-
-        At a name that is met once it stops before.
-        """
-        tellings = self._tellings
-        common = set(tellings.names).difference(tellings.names_at_once)
-        for each in seen:
-            if each.phrase in common and each.track not in self._weighed:
-                self._beside[each.track] = each
-        gone = [
-            track
-            for track, each in self._beside.items()
-            if self._walker.metres_until_abreast(each) < -PAST
-        ]
-        for track in gone:
-            del self._beside[track]
-        self._weighed.update(gone)
-        return bool(gone)
+    def _is_beyond_what_was_told(self, segment: Segment, walked: float) -> bool:
+        """Tell whether a last stretch has just become longer than was told of it."""
+        length = self._of(segment).plan.arrival.length
+        if length is None or length.unit == "places":
+            return False
+        enough = BEYOND * length.metres + PAST
+        return segment.walked < enough <= segment.walked + walked
 
     def _may_end_on(self, frontier: Frontier) -> bool:
         """Tell whether all turns are likely made where a way begins."""
