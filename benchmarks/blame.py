@@ -88,7 +88,7 @@ class _Witness:
     def __init__(self) -> None:
         self.found: FirstMistake | None = None
 
-    def see(self, _: ToldWay, now: Moment) -> None:
+    def see(self, now: Moment) -> None:
         """Compare a decision with the way."""
         if self.found is not None:
             return
@@ -145,10 +145,13 @@ def first_mistakes(
     told: Sequence[ToldWay], seed: int
 ) -> Iterator[tuple[ToldWay, bool, FirstMistake | None]]:
     """Walk ways with the guide; yield whether each arrived, and its first mistake."""
-    for each in told:
-        witness = _Witness()
-        for _, arrived in watched_walks([each], seed, witness.see):
-            yield each, arrived, witness.found
+    witnesses = {each.name: _Witness() for each in told}
+
+    def see(way: ToldWay, now: Moment) -> None:
+        witnesses[way.name].see(now)
+
+    for way, arrived in watched_walks(told, seed, see):
+        yield way, arrived, witnesses[way.name].found
 
 
 def main() -> int:

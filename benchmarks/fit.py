@@ -5,7 +5,7 @@ keeps its map at every decision, with the way that would have been right. The lo
 mean, over walks, of the negative logarithm of what the belief gives to the right way; no
 walk is needed to try other values. L-BFGS-B moves all of them, as log odds or logarithms,
 and pays for going far from the values that stand. What is best on the kinds of buildings
-left out is kept (docs/benches.md).
+left out is kept (docs/guide_fit.md).
 """
 
 import argparse
@@ -80,12 +80,10 @@ def snapshots(told: Sequence[ToldWay], seed: int, speakers: str) -> list[Snapsho
 
     rng = np.random.default_rng(seed)
     chosen: list[Snapshot] = []
-    for each in told:
-        kept.clear()
-        for _ in watched_walks([each], seed, see):
-            pass
+    for _ in watched_walks(told, seed, see):
         some = rng.permutation(len(kept))[:MOST_A_WALK]
         chosen += [kept[number] for number in sorted(some)]
+        kept.clear()
     return chosen
 
 

@@ -304,22 +304,22 @@ class Arrivals:
 
         `since_turn` is the whole way since the last turn, of which that is the end.
         """
-        arrival = self._arrival
+        arrival, common = self._arrival, is_common(sighting.phrase)
         ratio = self._base(sighting)
         ratio *= self._things.side_ratio(arrival.side, sighting, line)
-        if arrival.side == "ahead" and is_common(sighting.phrase):
+        if arrival.side == "ahead" and common:
             ratio *= 1.3 if sighting.side == "ahead" else 0.6
         if arrival.nth is not None and arrival.nth > 0:
             number = (
                 self._number_along(sighting, since_turn)
-                if is_common(sighting.phrase)
+                if common
                 else self._number_of(sighting)
             )
             off = abs(number + 1 - arrival.nth)
             if off or self.only_names(sighting):
                 return min(ratio, 1.0) * NTH[min(max(off, 1), 2)]
             # Most ways have a second door.
-            ratio *= 1.0 if is_common(sighting.phrase) else NTH[0]
+            ratio *= 1.0 if common else NTH[0]
         return ratio
 
     def _base(self, sighting: Sighting) -> float:

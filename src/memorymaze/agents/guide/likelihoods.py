@@ -327,7 +327,7 @@ class _Count:
     what it may turn out to be.
     """
 
-    def __init__(self, right: float, told: tuple[int, ...], again: float = 0.5) -> None:
+    def __init__(self, right: float, told: tuple[int, ...]) -> None:
         told = tuple(min(each, MOST_TOLD) for each in told)
         numbers = np.arange(max(told) + MOST_BEYOND)
         usual = 0.5 ** (numbers + 1.0)

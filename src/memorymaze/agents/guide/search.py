@@ -245,7 +245,10 @@ class Search:
         may_end = self._may_end_on(frontier)
         wide = may_end and walker.map.seen_beside < SEES_MOST
         side, glanced = self._plans[0].arrival.side, [begin]
-        too_far: list[bool] = []
+
+        def is_too_far() -> bool:
+            walked = walker.travelled - begin
+            return may_end and self._is_beyond_what_was_told(best, walked)
 
         def told(seen: list[Sighting]) -> bool:
             if self._inquiry is not None:
@@ -259,11 +262,7 @@ class Search:
                 seen = [*seen, *walker.glance(self._tellings.names, side)]
             if arrived(seen):
                 return True
-            if may_end and self._is_beyond_what_was_told(
-                frontier.best, walker.travelled - begin
-            ):
-                too_far.append(True)
-            return bool(too_far) and not walker.is_in_turning_point
+            return is_too_far() and not walker.is_in_turning_point
 
         stretch = walker.follow_exit(frontier.exit, self._phrases(frontier), told)
         for answer, walked in answers:
@@ -273,7 +272,7 @@ class Search:
             if walked > 0 and not walker.is_in_turning_point:
                 walker.halt()
             self._heed(answer)
-        if stretch is None and too_far and not found and not answers:
+        if stretch is None and is_too_far() and not found and not answers:
             walker.halt()
         if found:
             sighting, chance = found[0]

@@ -282,14 +282,13 @@ class Walker:
         if abs(angle) >= BACK or crossing.number <= 0:
             return self._turn("around")
         offered = self._robot.detect_turning_point()
-        word = _nearest(offered, angle)
+        word = min(offered, key=lambda each: _off(each, angle), default=None)
         off = math.inf if word is None else _off(word, angle)
-        if off > MEANT:
-            # The way it came is not told of, but it can be turned to.
-            back = _nearest(_ANGLES, angle)
-            if back is not None and self._turn(back):
-                crossing.exits[exit] = self.heading
-                return True
+        # The way it came is not told of, but it can be turned to.
+        back = min(_ANGLES, key=lambda each: _off(each, angle))
+        if off > MEANT and self._turn(back):
+            crossing.exits[exit] = self.heading
+            return True
         if word is None or off > NEAR_ENOUGH:
             return abs(angle) > SHARP and self._turn("around")
         if word == "forward":
@@ -440,10 +439,6 @@ class Walker:
         )
 
 
-def _nearest(directions: Iterable[Direction], angle: float) -> Direction | None:
-    """Return the direction whose middle differs least from an angle."""
-    return min(directions, key=lambda each: _off(each, angle), default=None)
-
-
 def _off(direction: Direction, angle: float) -> float:
+    """Return by how much the middle of a direction differs from an angle."""
     return abs(wrap_angle(_ANGLES[direction] - angle))
