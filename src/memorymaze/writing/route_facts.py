@@ -36,6 +36,10 @@ BESIDE = 4.5
 """Metres from the way within which things are mentioned."""
 SAME_DOOR = 1.0
 """Metres from the end of a route within which a door is not passed before."""
+COMING = (0.0, 1.5, 3.0)
+"""Metres before a turn from where one looks for what to turn at."""
+SEEN_IN_COMING = 5.0
+"""Metres within which somebody who comes to a turn notices what stands at it."""
 AHEAD = math.radians(40)
 """A destination within this bearing lies ahead."""
 
@@ -195,24 +199,29 @@ class RouteFacts:
             yield Cue("ordinal", ordinal)
         counts = Counter(thing.words for thing in self.graph.things)
         marks = sorted(
-            (thing for thing in self._things_at(turn.at) if counts[thing.words] <= 2),
+            (thing for thing in self._things_at(n) if counts[thing.words] <= 2),
             key=lambda thing: thing.id,
         )
         for thing in marks:
             yield Cue("thing", words=thing.words)
 
-    def _things_at(self, point: str) -> list[Thing]:
-        words = self.graph.marks[point]
-        here = self.graph.points[point]
-        near = [
+    def _things_at(self, n: int) -> list[Thing]:
+        """Return what marks the n-th turn for somebody who comes to it by the route."""
+        point = self.graph.points[self.route.turns[n].at]
+        line, stop = self.route.line, self.stops[n]
+        eyes = [line.interpolate(max(0.0, stop - back)) for back in COMING]
+
+        def is_seen(spot: Point) -> bool:
+            return any(
+                eye.distance(spot) <= SEEN_IN_COMING and self.graph.sees(eye, spot)
+                for eye in eyes
+            )
+
+        return [
             thing
             for thing in self.graph.things
-            if thing.words in words
-            and here.polygon.distance(Point(thing.position)) <= 4.0
-            and self.graph.is_seen_from(here, thing)
+            if self.graph.is_seen_from(point, thing) and is_seen(Point(thing.position))
         ]
-        line = self.route.line
-        return [each for each in near if line.distance(Point(each.position)) < 7.0]
 
     def _stretch(
         self, low: float, high: float, points: tuple[str, ...], turn: RouteTurn | None

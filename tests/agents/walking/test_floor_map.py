@@ -56,3 +56,25 @@ def test_the_wider_a_way_is_the_less_a_camera_sees_that_looks_ahead(
             )
         )
     assert floor.seen_beside == pytest.approx(share, abs=0.02)
+
+
+def _sighting(phrase: str, x: float, track: int) -> Sighting:
+    return Sighting(phrase, "sign", 1.0, (x, 0), (0, 0), x, track, (0, 0), "ahead")
+
+
+def test_words_are_the_thing_only_where_the_thing_itself_is_not_seen() -> None:
+    floor = FloorMap()
+    assert floor.note_written(_sighting("Café", 5.0, -1))
+    assert floor.note_written(_sighting("Café", 9.0, -2))
+    door = _sighting("Café", 5.5, 1)
+    floor.note(door)
+    assert floor.seen("Café") == [_sighting("Café", 9.0, -2), door]
+    assert not floor.note_written(_sighting("Café", 5.0, -1))
+    assert floor.farthest == 5.5
+
+
+def test_a_sign_with_an_arrow_points_on() -> None:
+    floor = FloorMap()
+    floor.note_text(_sighting("Café \u2192", 5.0, 1))
+    assert floor.points_on(_sighting("Café", 5.2, 1))
+    assert not floor.points_on(_sighting("Café", 8.0, 2))

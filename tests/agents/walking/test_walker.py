@@ -1,6 +1,8 @@
 """What a walker makes of halts between crossings, and of what is written on the way."""
 
 import math
+from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -9,8 +11,9 @@ from memorymaze.agents.walking.floor_map import Sighting
 from memorymaze.agents.walking.walker import Walker
 from memorymaze.geometry.pose import Pose
 from memorymaze.simulation.robot import SimulatedRobot
-from memorymaze.simulation.scene import Scene
+from memorymaze.simulation.scene import Scene, build_scene
 from memorymaze.simulation.settings import SimulationSettings
+from memorymaze.sites import load_site
 
 
 def robot_in(scene: Scene, x: float, y: float, degrees: float) -> SimulatedRobot:
@@ -72,6 +75,27 @@ def test_what_is_written_on_the_way_goes_on_the_map_where_it_is_asked_for(
     assert sign.place == pytest.approx((8, 0), abs=1.0)
     assert (sign.stretch, sign.side) == ((0, 0), "ahead")
     assert reads_not.map.texts == []
+
+
+def test_letters_are_read_from_farther_away_than_things_are_seen(
+    changed: Callable[..., Path],
+) -> None:
+    words = {
+        "properties.category": "signboard",
+        "properties.text": "LIBRARY",
+        "properties.heading_deg": 180,
+        "properties.size_m": [1.2, 0.1, 1.5],
+    }
+    scene = build_scene(load_site(changed("corridor", "bench", words)))
+    walker = Walker(robot_in(scene, 5, 0, 0), reads_signs=True)
+    wanted = "sign that says Library"
+    [written] = walker.look([wanted, "sign that says Café"])
+    assert (written.phrase, written.is_written) == (wanted, True)
+    assert written.place == pytest.approx((5, -1.2), abs=0.5)
+    walker.walk_on(2)
+    [seen] = walker.look([wanted])
+    assert not seen.is_written
+    assert walker.map.seen(wanted) == [seen]
 
 
 def test_things_at_a_wall_are_seen_after_turning_to_it(

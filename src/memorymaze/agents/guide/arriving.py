@@ -28,6 +28,7 @@ from memorymaze.agents.walking.floor_map import (
     Point,
     Sighting,
     Stretch,
+    along_and_aside,
     distance_to_line,
     metres_along,
     side_of_line,
@@ -52,6 +53,10 @@ CLOSE = 0.7
 BEYOND_SIGN, UNDER_SIGN = 6.0, 2.5
 """Metres to go on at most under a hanging sign that names a place; and under one that was
 told as the destination itself, which may be the place or what leads to it."""
+BESIDE_WORDS = 4.0
+"""Metres from words on a wall or above a way within which the place is that they name."""
+ABOVE = 1.0
+"""Metres beside the way within which words hang above it."""
 MOST_WIDER = 4
 """More general words for a destination that are looked for."""
 INSIDE = 2.0
@@ -370,7 +375,7 @@ class Arrivals:
             yield from filter(self._may_be_it, self._floor.seen(phrase))
 
     def _may_be_it(self, sighting: Sighting) -> bool:
-        if sighting.track in self.refuted:
+        if sighting.track in self.refuted or self._floor.points_on(sighting):
             return False
         is_told = sighting.phrase not in self.kin
         return is_told or is_kin(sighting.label, self._name)
@@ -450,9 +455,10 @@ class Arrivals:
 def walk_up_to(walker: Walker, sighting: Sighting, names: tuple[str, ...] = ()) -> None:
     """Walk up to a thing just seen, and into the place that it names or leads to."""
     for _ in range(10 + int(2 * sighting.distance)):
-        again = [
-            s for s in walker.look((sighting.phrase,)) if s.track == sighting.track
-        ]
+        seen = walker.look((sighting.phrase,))
+        again = [each for each in seen if sighting.is_again(each)]
+        if sighting.is_written:
+            again = [*_borne_by(sighting, seen), *again]
         sighting = again[0] if again else sighting
         opens = OPENS.search(sighting.label) is not None
         if opens and sighting.side != "ahead" and walker.turn_in(sighting.side):
@@ -467,10 +473,36 @@ def walk_up_to(walker: Walker, sighting: Sighting, names: tuple[str, ...] = ()) 
             break
     if OPENS.search(sighting.label):
         walker.walk_on(walker.metres_until_abreast(sighting) + INSIDE)
-    elif "hanging" in sighting.label:
+    elif "hanging" in sighting.label or _is_written_above(sighting, walker):
         _enter(walker, sighting, names)
     else:
         _face(walker, sighting)
+        if is_sign(sighting.label):
+            _go_to_its_place(walker, sighting, names)
+
+
+def _borne_by(written: Sighting, seen: list[Sighting]) -> list[Sighting]:
+    """Return what is not a sign, and stands where words were read, the nearest first."""
+    things = [
+        each
+        for each in seen
+        if not is_sign(each.label)
+        and math.dist(each.place, written.place) <= BESIDE_WORDS
+    ]
+    return sorted(things, key=lambda each: each.distance)
+
+
+def _is_written_above(sighting: Sighting, walker: Walker) -> bool:
+    _, aside = along_and_aside(sighting.place, walker.place, walker.heading)
+    return sighting.is_written and aside <= ABOVE
+
+
+def _go_to_its_place(walker: Walker, sign: Sighting, names: tuple[str, ...]) -> None:
+    """Go on from a sign on a wall to the place beside it that bears its name."""
+    wanted = (place_on_sign(sign.phrase) or sign.phrase, *names)
+    beside = _borne_by(sign, walker.glance(dict.fromkeys(wanted), None))
+    if beside:
+        _face(walker, beside[0])
 
 
 def _enter(walker: Walker, sighting: Sighting, names: tuple[str, ...]) -> None:

@@ -180,7 +180,7 @@ class ModelWalk:
                 for each in seen
                 if each.phrase == until and "hanging" not in each.label
             ]
-            again = [each for each in named if target and each.track == target.track]
+            again = [each for each in named if target and target.is_again(each)]
             target = next(iter(again if target else named), target)
             walked = walker.travelled - begin
             far = metres is not None and walked >= metres - STRIDE / 2

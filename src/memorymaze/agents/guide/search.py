@@ -402,7 +402,7 @@ class Search:
                 seen = [
                     each
                     for each in walker.look((ending.sighting.phrase,))
-                    if each.track == ending.sighting.track
+                    if ending.sighting.is_again(each)
                 ]
                 if seen:
                     walk_up_to(walker, seen[0], self._tellings.names)

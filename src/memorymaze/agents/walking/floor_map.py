@@ -12,6 +12,7 @@ from itertools import pairwise
 from statistics import median
 
 from memorymaze.geometry.pose import wrap_angle
+from memorymaze.perception.matching import points_elsewhere
 from memorymaze.understanding import ANY_FLOOR, is_floor
 
 Point = tuple[float, float]
@@ -43,6 +44,10 @@ NEAR_WAY, IN_LINE = 4.0, 2.5
 stands."""
 ON_LINE = 0.4
 """Metres from a line walked within which a thing lies on neither side of it."""
+SAME_THING = 1.5
+"""Metres between a thing and the words on it, at most."""
+SAME_SIGN = 0.6
+"""Metres from a sign within which words are on it."""
 SAME_EXIT = math.radians(35)
 """Exits of a crossing that differ by less are one."""
 
@@ -62,12 +67,28 @@ class Sighting:
     distance: float
     """Metres from there."""
     track: int
+    """Number of the thing; below 0 where its words alone were read."""
     stretch: tuple[int, int]
     """Crossing and exit of the stretch on which it was seen."""
     side: str
     """`left`, `right` or `ahead` of the way the robot went."""
     bearing: float = 0.0
     """Radians from the way the robot faced, left positive."""
+
+    @property
+    def is_written(self) -> bool:
+        """Whether its words alone were read, and not the thing itself was seen."""
+        return self.track < 0
+
+    def is_near(self, other: "Sighting") -> bool:
+        """Tell whether another stands where this does."""
+        return math.dist(self.place, other.place) <= SAME_THING
+
+    def is_again(self, other: "Sighting") -> bool:
+        """Tell whether another look saw the same thing."""
+        if self.is_written or other.is_written:
+            return self.phrase == other.phrase and self.is_near(other)
+        return self.track == other.track
 
 
 @dataclass
@@ -146,6 +167,8 @@ class FloorMap:
         self.stretches: dict[tuple[int, int], Stretch] = {}
         self._sightings: dict[str, dict[int, Sighting]] = {}
         self._texts: dict[int, Sighting] = {}
+        self._pointing: set[int] = set()
+        """Tracks of the texts that point to somewhere else."""
         self._dead_ends = 0
         self.views: dict[tuple[int, int], _View] = {}
         """By crossing and exit."""
@@ -273,11 +296,35 @@ class FloorMap:
         """Keep a sighting; of one thing the one from nearest counts."""
         self.farthest = max(self.farthest, sighting.distance)
         self._seen_beside = None
-        _keep_nearest(self._sightings.setdefault(sighting.phrase, {}), sighting)
+        known = self._sightings.setdefault(sighting.phrase, {})
+        for each in [*known.values()]:
+            if each.is_written and each.is_near(sighting):
+                del known[each.track]
+        _keep_nearest(known, sighting)
+
+    def note_written(self, sighting: Sighting) -> bool:
+        """Keep that words looked for were read; False where the thing itself was seen.
+
+        Letters are read from farther away than things are seen.
+        """
+        known = self._sightings.setdefault(sighting.phrase, {})
+        if any(s.is_near(sighting) and not s.is_written for s in known.values()):
+            return False
+        _keep_nearest(known, sighting)
+        return True
 
     def note_text(self, text: Sighting) -> None:
         """Keep what was read, its words as phrase and label; from nearest it counts."""
         _keep_nearest(self._texts, text)
+        if points_elsewhere(text.phrase):
+            self._pointing.add(text.track)
+
+    def points_on(self, sighting: Sighting) -> bool:
+        """Tell whether it is a sign on which words were read that point elsewhere."""
+        return any(
+            math.dist(self._texts[track].place, sighting.place) <= SAME_SIGN
+            for track in self._pointing
+        )
 
     @property
     def sightings(self) -> list[Sighting]:

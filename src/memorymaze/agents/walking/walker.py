@@ -1,7 +1,9 @@
 """Driving the robot from crossing to crossing, with eyes open."""
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable
+from dataclasses import replace
+from functools import partial
 
 from memorymaze.agents.walking.floor_map import (
     STRIDE,
@@ -15,6 +17,7 @@ from memorymaze.agents.walking.floor_map import (
 from memorymaze.geometry.pose import wrap_angle
 from memorymaze.perception.detector import LONGEST_QUERY
 from memorymaze.perception.matching import points_elsewhere
+from memorymaze.perception.noun_phrase import words_of
 from memorymaze.robot.api import Detection, Direction, Robot, SignText
 
 LONG_STRIDE = 1.2
@@ -34,8 +37,9 @@ SHARP = math.radians(126)
 
 GLANCES = {"left": math.radians(75), "right": math.radians(-75)}
 """How far it turns to look beside a way, radians."""
-SAME_SIGN, SAME_SIGN_METRES = math.radians(5), 0.5
-"""A text read no farther than this from something seen is what is written on it."""
+
+AS_WRITTEN = 0.65
+"""Score of a thing of which the words alone were read."""
 
 _ANGLES: dict[Direction, float] = {
     "forward": 0.0,
@@ -380,15 +384,12 @@ class Walker:
 
     def points_on(self, seen: Sighting) -> bool:
         """Tell whether what was just seen is a sign that points to somewhere else."""
-        return any(
-            points_elsewhere(sign.text)
-            and abs(math.radians(sign.bearing_deg) - seen.bearing) <= SAME_SIGN
-            and abs(sign.distance - seen.distance) <= SAME_SIGN_METRES
-            for sign in self._robot.read_signs()
-        )
+        for text in self._robot.read_signs():
+            self.map.note_text(self._placed(text.text, text.text, 1.0, text))
+        return self.map.points_on(seen)
 
-    def look(self, phrases: Iterable[str]) -> list[Sighting]:
-        """Look for things; what is seen goes on the map."""
+    def look(self, phrases: Collection[str]) -> list[Sighting]:
+        """Look for things; what is seen, or read from farther away, goes on the map."""
         seen: list[Sighting] = []
         for phrase in phrases:
             # No camera can be asked for it: it is a sentence that was taken for a thing.
@@ -401,6 +402,11 @@ class Walker:
         if self._reads_signs and self._is_time_to_read():
             for text in self._robot.read_signs():
                 self.map.note_text(self._placed(text.text, text.text, 1.0, text))
+                for phrase in filter(partial(_is_written, text.text), phrases):
+                    written = self._placed(phrase, "sign", AS_WRITTEN, text)
+                    written = replace(written, track=-text.track_id)
+                    if self.map.note_written(written):
+                        seen.append(written)
         return seen
 
     def _is_time_to_read(self) -> bool:
@@ -437,6 +443,18 @@ class Walker:
             side,
             bearing,
         )
+
+
+def _is_written(text: str, phrase: str) -> bool:
+    """Tell whether a text says what is looked for, and nothing else.
+
+    >>> _is_written("Toy Plane", "door that says Toy Plane"), _is_written("2103", "room 2103")
+    (True, True)
+    """
+    asked = words_of(phrase.rpartition(" that says ")[2])
+    numbers = [word for word in asked if any(map(str.isdigit, word))]
+    wanted = {*(numbers or asked)}
+    return bool(wanted) and wanted == {*words_of(text)} and not points_elsewhere(text)
 
 
 def _off(direction: Direction, angle: float) -> float:
