@@ -117,7 +117,7 @@ def _is_written_elsewhere(thing: Thing, site: Site) -> bool:
     """Tell whether another place bears the same words: a room's other door, a sign at it."""
     bearers = [
         *((door.label, door.line.centroid) for door in site.doors),
-        *((mark.text, mark.position) for mark in site.landmarks),
+        *((m.text, m.position) for m in site.landmarks if m.mount != "ceiling"),
     ]
     words = thing.words.rpartition(" that says ")[2].casefold()
     return any(
