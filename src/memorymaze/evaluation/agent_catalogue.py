@@ -42,6 +42,10 @@ class ShippedAgent(NamedTuple):
 
 
 AGENTS = {
+    "closed_loop": ShippedAgent(
+        "memorymaze.agents.closed_loop:ClosedLoopAgent",
+        "a language model reads the text and says at each turning point what to do next",
+    ),
     "code_generation": ShippedAgent(
         "memorymaze.agents.code_generation:CodeGenerationAgent",
         "a language model writes one program, and the robot runs it",

@@ -5,23 +5,14 @@ from typing import Literal
 
 import numpy as np
 
-from memorymaze.agents.agent import Asking, FairLimits, Journal, Need
+from memorymaze.agents.agent import Journal
 from memorymaze.agents.guide.asking import AskWhen, Inquiry
-from memorymaze.agents.guide.model_questions import (
-    MOST_REQUESTS,
-    ModelQuestions,
-    guide_prompts,
-)
-from memorymaze.agents.guide.model_walk import ModelWalk
 from memorymaze.agents.guide.search import Search
-from memorymaze.agents.guide.walk_log import WalkLog
 from memorymaze.agents.notes import PlanNote
 from memorymaze.agents.plan_readers import ReaderOptions, ReadsFirst
 from memorymaze.agents.walking.outlooks import expected_metres
 from memorymaze.agents.walking.walker import Walker
-from memorymaze.errors import SettingsError
 from memorymaze.language.model import LanguageModel
-from memorymaze.options import check_least
 from memorymaze.robot.api import Robot
 from memorymaze.robot.asking import can_ask
 from memorymaze.routes import RoutePlan, describe
@@ -33,11 +24,6 @@ class GuideOptions(ReaderOptions):
 
     start_heading: Literal["given", "unknown"] = "given"
     """Whether the robot faces the way the description begins with, or any way."""
-    decide: Literal["belief", "model"] = "belief"
-    """What decides on the way: a belief over the way told, offline; or a language model,
-    asked at each turning point, which reads the text itself."""
-    most_requests: int = MOST_REQUESTS
-    """Requests to a deciding model in an episode, after which the robot gives up."""
     things: bool = True
     """Whether things said to be on the way count (false is for ablations)."""
     signs: bool = True
@@ -52,40 +38,13 @@ class GuideOptions(ReaderOptions):
     answers: bool = True
     """Whether what people answer counts (false is a control)."""
 
-    @property
-    def needs(self) -> frozenset[Need]:
-        """What the agent needs with these options."""
-        deciding = frozenset[Need]({"language_model"} if self.asks_on_the_way else ())
-        # Dataclasses with slots know no bare super().
-        return super(GuideOptions, self).needs | deciding
-
-    @property
-    def asks_on_the_way(self) -> bool:
-        """Whether a language model is asked while the robot walks."""
-        return self.decide == "model"
-
-    def __post_init__(self) -> None:
-        """Refuse values without meaning."""
-        check_least(self, most_requests=1)
-        if self.asks_on_the_way and not (self.things and self.repair):
-            raise SettingsError(
-                "--set things, repair: they are of the belief; with decide=model leave "
-                "them out"
-            )
-        if self.asks_on_the_way and self.reader != "grammar":
-            raise SettingsError(
-                "--set reader: with decide=model the model that decides reads the text "
-                "itself; leave it out"
-            )
-
 
 class GuideAgent(ReadsFirst):
     """Follows route descriptions with a belief over where on the way told it is.
 
     Everything that was said weighs in every explanation of the walk so far; the robot
     goes where success is likeliest for the metres, says what it doubts, goes back to
-    the likeliest place of a mistake, and tells how sure it is to have arrived. A language
-    model may decide instead.
+    the likeliest place of a mistake, and tells how sure it is to have arrived.
     """
 
     Options = GuideOptions
@@ -93,25 +52,14 @@ class GuideAgent(ReadsFirst):
     def __init__(
         self, options: GuideOptions | None = None, model: LanguageModel | None = None
     ) -> None:
-        """Make the agent with its options, and a model where one reads or decides."""
+        """Make the agent with its options, and a model where one reads."""
         self.options = options or GuideOptions()
         super().__init__(self.options, model)
-        self._model = model if self.options.asks_on_the_way else None
-
-    def asking(self, instruction: str, limits: FairLimits | None) -> Asking:
-        """Tell what it will ask, as far as no model decides on the way."""
-        reading = super().asking(instruction, limits)
-        if not self.options.asks_on_the_way:
-            return reading
-        return Asking({**reading.prompts, **guide_prompts()})
 
     @property
     def name(self) -> str:
-        """`guide`, `guide[model]` where a model reads, `guide+model[model]` if it decides."""
-        decides = ""
-        if self._model is not None:
-            decides = f"+model[{self._model.name}]"
-        return f"guide{self.reader.variant}{decides}"
+        """`guide`, or `guide[model]` where a model reads."""
+        return f"guide{self.reader.variant}"
 
     def follow(
         self,
@@ -123,14 +71,6 @@ class GuideAgent(ReadsFirst):
         """Drive the robot as the instruction says, and stop."""
         options = self.options
         anyhow = options.start_heading == "unknown"
-        if self._model is not None:
-            walker = Walker(robot, reads_signs=options.signs)
-            log = WalkLog(walker.map, any_heading=anyhow)
-            most = options.most_requests
-            ModelWalk(
-                walker, ModelQuestions(instruction, self._model, journal, log, most)
-            ).run()
-            return robot.stop()
         # Read before the robot is touched, so that what is asked of a model can be
         # written down where there is no building.
         plans = self.reader.read_tellings(instruction, journal)

@@ -11,10 +11,10 @@ from typing import Any
 import pytest
 
 from memorymaze.agents.agent import Journal
+from memorymaze.agents.closed_loop.walk_log import DOOR, way_name
 from memorymaze.agents.guide.arriving import Ending
 from memorymaze.agents.guide.choosing import _Step
 from memorymaze.agents.guide.search import Search
-from memorymaze.agents.guide.walk_log import DOOR, way_name
 from memorymaze.agents.walking.floor_map import Crossing, FloorMap, Sighting, Stretch
 from memorymaze.geometry.pose import wrap_angle
 from memorymaze.language.model import CompletionRequest

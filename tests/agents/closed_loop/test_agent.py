@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 from memorymaze.agents.agent import Journal
-from memorymaze.agents.guide import GuideAgent, GuideOptions
-from memorymaze.agents.guide.model_questions import ModelQuestions
-from memorymaze.agents.guide.model_walk import ModelWalk
-from memorymaze.agents.guide.walk_log import WalkLog
+from memorymaze.agents.closed_loop import ClosedLoopAgent, ClosedLoopOptions
+from memorymaze.agents.closed_loop.decided_walk import DecidedWalk
+from memorymaze.agents.closed_loop.questions import DecisionQuestions
+from memorymaze.agents.closed_loop.walk_log import WalkLog
 from memorymaze.agents.notes import RepairNote
 from memorymaze.agents.plan_readers import read_plan_reply
 from memorymaze.agents.walking.walker import Walker
@@ -85,10 +85,10 @@ def walk(scenes: dict[str, Scene]) -> Callable[..., Walk]:
         )
         model, journal = ScriptedLanguageModel(replies), Journal()
         walker = Walker(robot, reads_signs=True)
-        questions = ModelQuestions(
+        questions = DecisionQuestions(
             "To the clock.", model, journal, WalkLog(walker.map), **options
         )
-        ModelWalk(walker, questions).run()
+        DecidedWalk(walker, questions).run()
         asked = [each.messages[-1].content for each in model.requests]
         return Walk((robot.pose.x, robot.pose.y), asked, journal)
 
@@ -206,33 +206,25 @@ def test_a_recorded_walk_is_replayed_without_a_model(
     replies = [say("walk", way="A"), say("walk", way="A"), say("stop")]
     model = RecordingModel(ScriptedLanguageModel(replies, name="m"), store)
     asked = AboutInstruction(model, f"t_junction-{route.id}")
-    options = GuideOptions(decide="model")
-    first = navigate(t_site, route, "Left.", GuideAgent(options, asked))
+    first = navigate(t_site, route, "Left.", ClosedLoopAgent(None, asked))
     again = navigate(
         t_site,
         route,
         "Left.",
         AgentSettings(
-            "guide",
-            options=(("decide", "model"),),
+            "closed_loop",
             language_model=ModelSettings(replay=str(store)),
         ),
     )
     assert first.result.success
-    assert again.result.agent == first.result.agent == "guide+model[m]"
+    assert again.result.agent == first.result.agent == "closed_loop[m]"
     assert again.trajectory == first.trajectory
     assert again.result.model_calls == 3
 
 
-def test_a_model_is_given_where_one_decides_and_only_there() -> None:
-    with pytest.raises(SettingsError, match="need one, got none"):
-        GuideAgent(GuideOptions(decide="model"))
-    with pytest.raises(SettingsError, match="need none, got m"):
-        GuideAgent(model=ScriptedLanguageModel([], name="m"))
-    with pytest.raises(SettingsError, match="reader: with decide=model"):
-        GuideOptions(decide="model", reader="plan")
+def test_less_than_one_request_is_refused() -> None:
     with pytest.raises(SettingsError, match="most_requests: expected a whole number"):
-        GuideOptions(most_requests=0)
+        ClosedLoopOptions(most_requests=0)
 
 
 def test_a_text_that_says_left_for_right_is_noticed_and_repaired(
@@ -245,7 +237,7 @@ def test_a_text_that_says_left_for_right_is_noticed_and_repaired(
     told = next(each for each in texts if each.id == name)
     model = AboutInstruction(ReplayingModel(REPLIES), name)
     site = builtin_sites[told.site]
-    agent = GuideAgent(GuideOptions(decide="model"), model=model)
+    agent = ClosedLoopAgent(None, model)
     run = navigate(site, site.route(told.reference_route), told.text, agent)
     assert [failure.kind for failure in told.failures] == ["wrong_direction_at_turn"]
     assert run.result.success
@@ -260,7 +252,7 @@ StandIn = Callable[[RoutePlan], ScriptedLanguageModel]
 
 def arrives(site: Site, route: Route, plan: RoutePlan, stand_in: StandIn) -> bool:
     """Tell whether the stand-in arrives, which knows the plan and the log."""
-    agent = GuideAgent(GuideOptions(decide="model"), model=stand_in(plan))
+    agent = ClosedLoopAgent(None, stand_in(plan))
     run = navigate(site, route, "As the plan says.", agent)
     return run.result.success and run.result.claims_arrival
 

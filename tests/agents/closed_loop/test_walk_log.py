@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from memorymaze.agents.guide.walk_log import WalkLog
+from memorymaze.agents.closed_loop.walk_log import WalkLog
 from memorymaze.agents.walking.floor_map import FloorMap, Point, Sighting, Stretch
 
 

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator
 
 from memorymaze.agents.agent import Journal
 from memorymaze.agents.asking import ReplyRecord, ask_until_read
-from memorymaze.agents.guide.walk_log import WalkLog
+from memorymaze.agents.closed_loop.walk_log import WalkLog
 from memorymaze.language.model import (
     CompletionRequest,
     LanguageModel,
@@ -21,17 +21,17 @@ MAX_TOKENS = 1000
 
 def load_rules() -> str:
     """Return the prompt that says what is always the same."""
-    return load_prompt("guide_decision_rules")
+    return load_prompt("closed_loop_rules")
 
 
-def guide_prompts() -> dict[str, str]:
+def decision_prompts() -> dict[str, str]:
     """Return the version of the prompt, by its stage."""
     empty = dict.fromkeys(("instruction", "places", "steps", "now"), "")
-    task = load_prompt("guide_task", **empty)
+    task = load_prompt("closed_loop_task", **empty)
     return {STAGE: prompt_version(load_rules(), task)}
 
 
-class ModelQuestions:
+class DecisionQuestions:
     """The questions of one episode, which are counted."""
 
     def __init__(
@@ -60,7 +60,7 @@ class ModelQuestions:
     def ask(self, read: Callable[[str], ReplyRecord], now: str) -> ReplyRecord | None:
         """Return what is read from the reply; None where no request is left."""
         task = load_prompt(
-            "guide_task",
+            "closed_loop_task",
             instruction=self._instruction,
             places=self.log.places,
             steps=self.log.steps,
@@ -70,7 +70,7 @@ class ModelQuestions:
             (Message("system", load_rules()), Message("user", task)),
             max_tokens=MAX_TOKENS,
         )
-        question = ModelQuestion(STAGE, guide_prompts()[STAGE])
+        question = ModelQuestion(STAGE, decision_prompts()[STAGE])
         try:
             return ask_until_read(
                 self._model, self.journal, request, question, self._numbers, read

@@ -3,10 +3,10 @@
 import math
 from textwrap import shorten
 
+from memorymaze.agents.closed_loop.questions import DecisionQuestions
+from memorymaze.agents.closed_loop.replies import WalkDecision, read_answer
+from memorymaze.agents.closed_loop.walk_log import DOOR, way_name
 from memorymaze.agents.guide.arriving import IN_FRONT, is_sign, walk_up_to
-from memorymaze.agents.guide.model_questions import ModelQuestions
-from memorymaze.agents.guide.model_replies import WalkDecision, read_answer
-from memorymaze.agents.guide.walk_log import DOOR, way_name
 from memorymaze.agents.notes import (
     ArrivalNote,
     DecisionNote,
@@ -24,14 +24,14 @@ LONGEST_REASON = 200
 """Characters of a reason that reports show."""
 
 
-class ModelWalk:
+class DecidedWalk:
     """The walk of one episode, decided by a language model.
 
     The model is told the text and the log of the walk, and nothing that the robot has
     not met itself.
     """
 
-    def __init__(self, walker: Walker, questions: ModelQuestions) -> None:
+    def __init__(self, walker: Walker, questions: DecisionQuestions) -> None:
         """Begin where the walker stands; it should read signs."""
         self._walker = walker
         self._questions = questions

@@ -5,8 +5,8 @@ from typing import Any
 
 import pytest
 
-from memorymaze.agents.guide.model_questions import load_rules
-from memorymaze.agents.guide.model_replies import read_answer
+from memorymaze.agents.closed_loop.questions import load_rules
+from memorymaze.agents.closed_loop.replies import read_answer
 
 RIGHT: dict[str, Any] = {
     "note": "Next the clock.",

@@ -3,8 +3,8 @@
 import pytest
 
 from memorymaze.agents.agent import Journal
-from memorymaze.agents.guide.model_questions import ModelQuestions, guide_prompts
-from memorymaze.agents.guide.walk_log import WalkLog
+from memorymaze.agents.closed_loop.questions import DecisionQuestions, decision_prompts
+from memorymaze.agents.closed_loop.walk_log import WalkLog
 from memorymaze.agents.notes import UnusableReplyNote
 from memorymaze.agents.walking.floor_map import FloorMap
 from memorymaze.errors import LanguageModelError
@@ -18,7 +18,7 @@ def ask(
     model, journal = ScriptedLanguageModel(replies, name="small"), Journal()
     log = WalkLog(FloorMap())
     log.arrive(0, 0.0)
-    questions = ModelQuestions(" To the clock. ", model, journal, log, most)
+    questions = DecisionQuestions(" To the clock. ", model, journal, log, most)
     return (
         model,
         journal,
@@ -34,7 +34,9 @@ def test_each_question_has_the_text_the_log_and_its_number() -> None:
     assert "Place 0 (the start)" in told
     questions = [each.question for each in model.requests]
     assert [each.number for each in questions if each] == [1, 2]
-    assert {each.prompt for each in questions if each} == set(guide_prompts().values())
+    assert {each.prompt for each in questions if each} == set(
+        decision_prompts().values()
+    )
     assert journal.model_calls == 2
 
 
