@@ -11,8 +11,8 @@ from memorymaze.instructions.files import load_instructions
 from memorymaze.language.prompt_texts import load_prompt
 from memorymaze.language.sandbox import run_program
 from memorymaze.robot.specification import api_specification
+from memorymaze.routes import SECOND_METRES, STEP_METRES
 from memorymaze.sites import load_sites
-from memorymaze.understanding.lengths import MINUTE, SECOND, STEP
 
 SLOTS = {"forward": "", "turn": ""}
 PARSING = load_prompt("parse_instruction", answer=load_prompt("answer_steps"))
@@ -116,14 +116,25 @@ def test_python_that_the_prompt_says_is_missing_fails(
         run_program(program, make_robot())
 
 
-def test_times_and_paces_are_as_long_as_the_project_reads_them():
-    told = re.search(
-        r"a pace is ([\d.]+) m, a second about ([\d.]+) m, a minute about ([\d.]+) m",
-        PARSING,
-    )
-    assert told is not None
-    assert [float(each) for each in told.groups()] == pytest.approx(
-        [STEP, SECOND, MINUTE], rel=0.1
+@pytest.mark.parametrize(
+    ("prompt", "told"),
+    [
+        (
+            PARSING,
+            r"a pace is ([\d.]+) m, a second about ([\d.]+) m, a minute about ([\d.]+) m",
+        ),
+        (
+            load_prompt("read_plan"),
+            r"A step is ([\d.]+) m, a second ([\d.]+) m, a minute ([\d.]+) m",
+        ),
+    ],
+    ids=["steps", "plan"],
+)
+def test_times_and_paces_are_as_long_as_the_project_reads_them(prompt: str, told: str):
+    found = re.search(told, prompt)
+    assert found is not None
+    assert [float(each) for each in found.groups()] == pytest.approx(
+        [STEP_METRES, SECOND_METRES, 60 * SECOND_METRES], rel=0.1
     )
 
 

@@ -9,7 +9,7 @@ NAME = re.compile(r"[a-z]+(?: [a-z]+)*")
 PLACES_AT_THE_TURN = ("turn", "beside", "before_turn", "after_turn", "opposite")
 VAGUE_METRES = (4.0, 6.0, 12.0, 25.0)
 """A little, a short way, a while, a long way."""
-STEP, SECOND, PLACE = 0.7, 1.1, 8.0
+STEP, SECOND, PLACE = 0.7, 1.0, 8.0
 """Metres of a step, of a second of walking, and from one place to turn to the next."""
 DOUBTS = (0.0, 0.4, 0.7)
 """Nothing said, `I think`, `maybe`."""

@@ -62,7 +62,7 @@ lengths = st.one_of(
     st.none(),
     st.integers(1, 600).map(lambda n: Length(n / 10, "metres")),
     st.integers(1, 90).map(lambda n: Length(n * 0.7, "steps")),
-    st.integers(1, 90).map(lambda n: Length(n * 1.1, "time")),
+    st.integers(1, 90).map(lambda n: Length(n * 1.0, "time")),
     st.integers(1, 6).map(lambda n: Length(n * 8.0, "places", float(n))),
     st.sampled_from([4.0, 6.0, 12.0, 25.0]).map(lambda m: Length(m, "vague")),
 )

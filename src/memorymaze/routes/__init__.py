@@ -8,6 +8,8 @@ not hold how they are read from texts (`understanding`), how texts are made of t
 from memorymaze.routes.describing import describe
 from memorymaze.routes.files import load_plans, parse_plan, plan_lines, plan_record
 from memorymaze.routes.records import (
+    SECOND_METRES,
+    STEP_METRES,
     Arrival,
     Junction,
     Kind,
@@ -26,6 +28,8 @@ from memorymaze.routes.records import (
 )
 
 __all__ = [
+    "SECOND_METRES",
+    "STEP_METRES",
     "Arrival",
     "Junction",
     "Kind",

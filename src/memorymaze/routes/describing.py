@@ -106,9 +106,10 @@ def _way_notes(length: Length | None, passings: Sequence[Passing]) -> list[str]:
     if length is not None:
         places = length.unit == "places"
         far = f"{length.count or 1:g} places" if places else f"{length.metres:.0f} m"
-        notes.append(
-            f"after {far}" + (f" from {length.after} on" if length.after else "")
-        )
+        most = "at most " if length.at_most else ""
+        whole = f" of {length.stretches} stretches" if length.stretches > 1 else ""
+        since = f" from {length.after} on" if length.after else ""
+        notes.append(f"after {most}{far}{whole}{since}")
     for passing in passings:
         count = "all" if passing.count is None else str(passing.count)
         what = f" {passing.what}" if passing.what else ""

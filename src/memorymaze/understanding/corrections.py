@@ -6,9 +6,9 @@
 import re
 from dataclasses import replace
 
-from memorymaze.routes import Length
+from memorymaze.routes import STEP_METRES, Length
 from memorymaze.understanding.chunks import Chunk
-from memorymaze.understanding.lengths import MINUTE, PLACE_METRES, STEP
+from memorymaze.understanding.lengths import MINUTE, PLACE_METRES
 
 _CLASSES = {
     "L": "way",
@@ -229,7 +229,7 @@ def _unit_metres(chunk: Chunk) -> float:
     if chunk.length is None:
         return 1.0
     if chunk.length.unit == "steps":
-        return STEP
+        return STEP_METRES
     if chunk.length.unit == "places":
         return PLACE_METRES
     return MINUTE if re.search(r"\bmin", chunk.text) else 1.0

@@ -3,17 +3,14 @@
 import math
 import re
 
-from memorymaze.routes import Length, Totals, Unit
+from memorymaze.routes import SECOND_METRES, STEP_METRES, Length, Totals, Unit
 from memorymaze.understanding.vocabulary import ONES, QUANTITIES, TENS
 
 _LOOSE_UNITS: tuple[Unit, ...] = ("vague", "time")
 """Units that do not count beside others."""
 A_FEW_STEPS = 4.0
 """Metres, as people say it."""
-STEP = 0.7
-"""Metres of one step."""
-SECOND, MINUTE = 1.1, 60.0
-"""Metres that one walks in it, as people say it."""
+MINUTE = 60 * SECOND_METRES
 
 _ones = "|".join(sorted(ONES, key=len, reverse=True))
 _tens = "|".join(TENS)
@@ -43,7 +40,7 @@ _FIGURES = re.compile(
 _LENGTH_IN_ALL = re.compile(rf"\b{LENGTH}{_IN_ALL}")
 _IN_METRES: dict[str, float] = {
     "m": 1.0,
-    "s": STEP,
+    "s": STEP_METRES,
     "p": 0.75,
     "f": 0.3048,
     "y": 0.9144,
@@ -76,9 +73,9 @@ def read_length(match: re.Match[str]) -> Length:
     if unit.startswith("min"):
         metres, kind = count * MINUTE, "time"
     elif unit.startswith("sec"):
-        metres, kind = count * SECOND, "time"
+        metres, kind = count * SECOND_METRES, "time"
     elif unit.startswith("st"):
-        metres, kind = count * STEP, "steps"
+        metres, kind = count * STEP_METRES, "steps"
     elif unit.startswith("p"):
         metres, kind = count * _IN_METRES["p"], "steps"
     elif unit.startswith("f"):

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from memorymaze.routes import Arrival, Leg
+from memorymaze.routes import SECOND_METRES, STEP_METRES, Arrival, Leg
 from memorymaze.writing.clauses import (
     is_command,
     metres_of,
@@ -21,7 +21,11 @@ from memorymaze.writing.phrases import phrases, words_for
 from memorymaze.writing.things import Thing, is_plural, thing_called, with_article
 from memorymaze.writing.voices import SpokenUnit, Voice
 
-UNIT_METRES: Mapping[SpokenUnit, float] = {"metres": 1.0, "steps": 0.7, "seconds": 1.2}
+UNIT_METRES: Mapping[SpokenUnit, float] = {
+    "metres": 1.0,
+    "steps": STEP_METRES,
+    "seconds": SECOND_METRES,
+}
 """Metres that a walker makes in one."""
 FAR_OFF = 0.25
 """A length that is further off is labelled."""

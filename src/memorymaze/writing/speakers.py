@@ -14,6 +14,8 @@ import numpy as np
 
 from memorymaze.perception.lexicon import kin_of
 from memorymaze.routes import (
+    SECOND_METRES,
+    STEP_METRES,
     Arrival,
     Leg,
     Length,
@@ -35,7 +37,6 @@ UNITS: tuple[tuple[Unit, float], ...] = (
 """How often speakers count in what."""
 VAGUE = (4.0, 6.0, 12.0, 25.0)
 """Metres of `a few steps`, `short`, `a while`, `long` in the plan language."""
-STEP_METRES, SECOND_METRES = 0.7, 1.1
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import get_args
 
 import numpy as np
@@ -158,6 +159,8 @@ def test_openings_told_as_passed_speak_for_who_passed_so_many() -> None:
     told = [Passing(2, "left")]
     right = passings_ratio(MODEL, told, 2, 0, 2)
     too_few = passings_ratio(MODEL, told, 0, 2, 2)
+    in_doubt = [replace(each, doubt=0.6) for each in told]
+    assert too_few < passings_ratio(MODEL, in_doubt, 0, 2, 2) < 1
     assert too_few < 1 < right
     assert passings_ratio(MODEL, told, 1, 0, 1) < right
 
@@ -255,11 +258,42 @@ def test_whose_things_are_not_there_is_believed_less_about_the_next() -> None:
 # -- what is to come is worth the mean of what it may turn out to be
 
 
-@given(st.floats(3, 60), st.sampled_from(["metres", "steps", "time"]), st.floats(2, 40))
+def _share(length: Length, near: float, far: float) -> float:
+    """Return how much likelier one way is than another, by what is said of it."""
+    one, two = (_of_anyone(length_ratio(MODEL, length, w, 1, 1)) for w in (near, far))
+    return one / two
+
+
+def test_an_upper_bound_fits_a_shorter_way_better() -> None:
+    said, bound = Length(60.0, "time"), Length(60.0, "time", at_most=True)
+    assert _share(bound, 35.0, 60.0) > 1 > _share(said, 35.0, 60.0)
+    assert _share(bound, 60.0, 120.0) > _share(said, 60.0, 120.0) * 0.9
+
+
+def test_a_length_of_two_stretches_is_of_neither_alone() -> None:
+    alone, both = Length(40.0, "metres"), Length(40.0, "metres", stretches=2)
+    assert _share(both, 20.0, 40.0) > 1 > _share(alone, 20.0, 40.0)
+
+
+def test_a_length_in_doubt_says_less() -> None:
+    sure, unsure = Length(30.0, "metres"), Length(30.0, "metres", doubt=0.7)
+    assert 1 < _share(unsure, 30.0, 60.0) < _share(sure, 30.0, 60.0)
+
+
+@given(
+    st.builds(
+        Length,
+        st.floats(3, 60),
+        st.sampled_from(["metres", "steps", "time"]),
+        at_most=st.booleans(),
+        stretches=st.integers(1, 3),
+        doubt=st.floats(0, 1),
+    ),
+    st.floats(2, 40),
+)
 def test_a_length_to_come_is_worth_the_mean_of_the_lengths_it_may_have(
-    said: float, unit: Unit, walked: float
+    length: Length, walked: float
 ) -> None:
-    length = Length(said, unit)
     ends = walked * np.exp(np.linspace(0, 6, 2001))
     off = np.log(ends / WAY_METRES) / MODEL.way_log_sd
     ratios = np.array([length_ratio(MODEL, length, end, 1, 1) for end in ends])

@@ -179,7 +179,7 @@ def length_ratio(
             len(SPEAKERS), _count_right(model.count_right, off) / USUAL_COUNT
         )
     spread = _spread(model, length)
-    return _said_over_any(model, _log_metres(length.metres), spread, walked)
+    return _said_over_any(model, _log_metres(length.expected), spread, walked)
 
 
 def length_to_come(
@@ -196,7 +196,7 @@ def length_to_come(
         ratio = _count_right(model.count_right, off) / USUAL_COUNT
         return np.full(len(SPEAKERS), min(ratio, 1.0))
     spread = _spread(model, length)
-    return _survival_ratio(model, _log_metres(length.metres), spread, walked)
+    return _survival_ratio(model, _log_metres(length.expected), spread, walked)
 
 
 def untold_length(model: Likelihoods, walked: float) -> float:
@@ -255,9 +255,9 @@ def _log_metres(metres: float) -> float:
 
 def _spread(model: Likelihoods, length: Length) -> float:
     """Return the standard deviation of the logarithm of what is said."""
-    if length.unit == "metres":
-        return model.length_sd
-    return model.length_sd + (1 if length.unit == "steps" else 2) * model.unit_sd
+    wide = length.at_most or length.stretches > 1
+    units = 2 if wide else {"metres": 0, "steps": 1}.get(length.unit, 2)
+    return (model.length_sd + units * model.unit_sd) * (1.0 + length.doubt)
 
 
 # -- counts
@@ -306,9 +306,11 @@ def passings_ratio(
     Where the way goes on, those that are missing may still come.
     """
     told: dict[str | None, int] = {}
+    doubt = 0.0
     for passing in passings:
         if passing.count is not None:
             told[passing.side] = told.get(passing.side, 0) + passing.count
+            doubt = max(doubt, passing.doubt)
     ratio = 1.0
     for side, count in told.items():
         met = left if side == "left" else right if side == "right" else crossings
@@ -317,7 +319,7 @@ def passings_ratio(
         else:
             off = count - met if count > met else 0.5 * (met - count)
             ratio *= max(1.0 - 0.45 * off, 0.12)
-    return ratio
+    return ratio ** (1.0 - doubt)
 
 
 class _Count:
