@@ -4,6 +4,9 @@ Both readings of the 564 shipped texts are compared part by part, and two readin
 texts by the model with each other, which is what agreement can be had at best:
 `python -m benchmarks.reading` (docs/benches.md).
 
+`--made K` compares what right made-up texts on K floors of each kind of building say with what
+the grammar reads: the share of legs whose turn, count and thing at the turn are read as told.
+
 The plans come from the kind of model that wrote the texts, so agreement flatters. Those
 of participants whose texts were not read while the grammar was developed (`held_out`) are
 used as numbers only.
@@ -15,14 +18,20 @@ from collections import Counter
 from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
+from benchmarks.made_walks import FIRST_SEED
 from memorymaze.agents.agent import Journal
 from memorymaze.agents.plan_readers import GrammarReader, read_plan_reply
+from memorymaze.construction import BUILDING_KINDS, BuildingKind, make_building
+from memorymaze.errors import SitePlanError
 from memorymaze.instructions import load_corpus
 from memorymaze.instructions.records import Episode
 from memorymaze.routes import Arrival, Leg, RoutePlan
+from memorymaze.sites import load_site
 from memorymaze.tables import Column, Table
 from memorymaze.understanding import place_on_sign
+from memorymaze.writing import ErrorRates, cells_of, sample_outlines, write_texts
 
 RECORDED = Path(__file__).parents[1] / "examples" / "recorded"
 SAME_LENGTH = 0.2
@@ -244,6 +253,86 @@ def reading_table() -> Table:
     )
 
 
+def legs_as_told(told: RoutePlan, read: RoutePlan) -> int:
+    """Return how many legs are read with the turn, the count and the thing as told."""
+    pairs = aligned_turns(told, read)
+    return sum(_is_as_told(told.legs[one], read.legs[two]) for one, two in pairs)
+
+
+def _is_as_told(told: Leg, read: Leg) -> bool:
+    first = told.turn.ordinal in {None, 1} and read.turn.ordinal in {None, 1}
+    named = {_plain_name(each.phrase) for each in read.mentions}
+    cues = {_plain_name(m.phrase) for m in told.mentions if m.place == "turn"}
+    return (first or told.turn.ordinal == read.turn.ordinal) and cues <= named
+
+
+def _plain_name(phrase: str) -> str:
+    """Return what a thing is told by: a room or a door by what is written on it."""
+    words = phrase.casefold().removeprefix("door that says ").removeprefix("room ")
+    return place_on_sign(words) or words
+
+
+def made_table(
+    floors: int, seed: int, folder: Path, kinds: Iterable[BuildingKind] = BUILDING_KINDS
+) -> Table:
+    """Return how much of right made-up texts the grammar reads, by kind of building."""
+    grammar, counts = GrammarReader(), dict[str, Counter[str]]()
+    for kind in kinds:
+        for number in range(floors):
+            building = make_building(kind, FIRST_SEED + 1000 * seed + number)
+            path = folder / f"{building.name}.geojson"
+            path.write_bytes(building.plan)
+            for cell in cells_of(load_site(path), iterations=(1,)):
+                try:
+                    outlines = sample_outlines(cell, ErrorRates(failure=0.0), 1, seed)
+                except SitePlanError:
+                    continue  # nothing plain can be said of this way
+                for outline in outlines:
+                    told = outline.told_plan.said
+                    (text,) = write_texts(outline, paired=False)
+                    read = grammar.read(text.text, Journal())
+                    alike = len(aligned_turns(told, read))
+                    for each in (kind, "all"):
+                        counts.setdefault(each, Counter()).update(
+                            texts=1,
+                            legs=len(told.legs),
+                            as_told=legs_as_told(told, read),
+                            turns=alike == len(told.legs) == len(read.legs),
+                            named=bool(_names(told.arrival) & _names(read.arrival)),
+                        )
+    counts["all"] = counts.pop("all", Counter())
+    rows = [
+        {
+            "kind": kind,
+            "texts": count["texts"],
+            "legs": count["as_told"] / count["legs"],
+            "turns": count["turns"] / count["texts"],
+            "named": count["named"] / count["texts"],
+        }
+        for kind, count in counts.items()
+    ]
+    return Table(
+        "What right made-up texts say, as the grammar reads it",
+        (
+            Column("kind", "Building", role="label"),
+            Column("texts", "n"),
+            Column("legs", "Legs as told", digits=2),
+            Column("turns", PARTS["turns"], digits=2),
+            Column("named", PARTS["destination"], digits=2),
+        ),
+        tuple(rows),
+        ("Texts and floors are made by a program.",),
+        "made_texts_read",
+    )
+
+
 if __name__ == "__main__":
-    argparse.ArgumentParser(description=__doc__).parse_args()
-    print(reading_table().text())
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--made", type=int, metavar="K", help="floors of each kind")
+    parser.add_argument("--seed", type=int, default=0, metavar="N")
+    options = parser.parse_args()
+    if options.made is None:
+        print(reading_table().text())
+    else:
+        with TemporaryDirectory() as folder:
+            print(made_table(options.made, options.seed, Path(folder)).text())

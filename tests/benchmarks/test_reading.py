@@ -1,4 +1,12 @@
-from benchmarks.reading import Score, aligned_turns, recorded_plans
+from pathlib import Path
+
+from benchmarks.reading import (
+    Score,
+    aligned_turns,
+    legs_as_told,
+    made_table,
+    recorded_plans,
+)
 
 from memorymaze.routes import Arrival, Leg, Length, Mention, RoutePlan, Turn
 
@@ -60,3 +68,24 @@ def test_a_destination_is_the_same_by_its_sign_or_its_name() -> None:
     assert parts(TOLD, RoutePlan(arrival=Arrival(("library",))))["destination"] == 1.0
     assert parts(TOLD, RoutePlan(arrival=Arrival(("cafe",))))["destination"] == 0.0
     assert parts(RoutePlan(), RoutePlan())["destination"] is None
+
+
+def test_a_leg_is_read_as_told_where_its_turn_count_and_thing_are() -> None:
+    def at(thing: str, ordinal: int | None = None) -> Leg:
+        return Leg(
+            Turn("left", ordinal=ordinal), mentions=(Mention(thing, "door", "turn"),)
+        )
+
+    told = RoutePlan(legs=(at("room 2103", 1), at("door that says Café", 2)))
+    same = RoutePlan(legs=(at("door that says 2103"), at("sign that says Café", 2)))
+    assert legs_as_told(told, same) == 2
+    assert legs_as_told(told, RoutePlan(legs=(at("room 2103"), at("bench", 2)))) == 1
+    assert legs_as_told(told, RoutePlan(legs=(at("room 2103"), at("Café", 3)))) == 1
+    assert legs_as_told(told, RoutePlan()) == 0
+
+
+def test_a_made_text_has_a_row_for_its_kind_and_one_for_all(tmp_path: Path) -> None:
+    rows = {row["kind"]: row for row in made_table(1, 3, tmp_path, ("office",)).rows}
+    assert list(rows) == ["office", "all"]
+    assert rows["office"]["texts"] == rows["all"]["texts"] > 0
+    assert 0 < rows["all"]["legs"] <= 1

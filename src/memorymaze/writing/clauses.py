@@ -102,7 +102,8 @@ def merged_clause(leg: Leg, rng: np.random.Generator, focus: Focus) -> str:
     """Return the words for a turn that follows right after the one before."""
     side = leg.turn.way.rpartition("_")[2]
     side = mark(focus["side"], side) if "side" in focus else side
-    told = one_of(phrases("merged"), rng).format(side=side)
+    bend = "slightly " if leg.turn.way.startswith("slight") else ""
+    told = one_of(phrases("merged"), rng).format(side=f"{bend}{side}")
     return mark("merged_turns", told)
 
 
