@@ -175,7 +175,11 @@ class Teller:
         told += [(each.order, self._as_told(each)) for each in asides]
         told.sort(key=lambda each: each[0])
         texts = [text for _, text in told]
-        said = run_together(texts, self._voice, self._rng(key, "joined"))
+        if part:
+            # What is joined hangs on the words, which differ in the right counterpart.
+            said = " ".join(map(as_sentence, texts))
+        else:
+            said = run_together(texts, self._voice, self._rng(key, "joined"))
         return mark(part["step"], said) if "step" in part else said
 
     def _turn_core(self, turn: Step, part: Focus) -> str:
