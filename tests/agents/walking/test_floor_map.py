@@ -4,7 +4,12 @@ import math
 
 import pytest
 
-from memorymaze.agents.walking.floor_map import Crossing, FloorMap, Sighting
+from memorymaze.agents.walking.floor_map import (
+    Crossing,
+    FloorMap,
+    Sighting,
+    is_on_a_pointer,
+)
 
 
 @pytest.mark.parametrize(
@@ -74,7 +79,6 @@ def test_words_are_the_thing_only_where_the_thing_itself_is_not_seen() -> None:
 
 
 def test_a_sign_with_an_arrow_points_on() -> None:
-    floor = FloorMap()
-    floor.note_text(_sighting("Café \u2192", 5.0, 1))
-    assert floor.points_on(_sighting("Café", 5.2, 1))
-    assert not floor.points_on(_sighting("Café", 8.0, 2))
+    texts = [_sighting("Café \u2192", 5.0, 1), _sighting("Café", 8.0, 2)]
+    assert is_on_a_pointer(_sighting("Café", 5.2, 1), texts)
+    assert not is_on_a_pointer(_sighting("Café", 8.0, 2), texts)

@@ -77,6 +77,17 @@ def test_what_is_written_on_the_way_goes_on_the_map_where_it_is_asked_for(
     assert reads_not.map.texts == []
 
 
+def test_who_reads_no_signs_still_sees_where_one_points_and_keeps_nothing_of_it(
+    changed: Callable[..., Path],
+) -> None:
+    words = {"properties.text": "Library \u2192"}
+    scene = build_scene(load_site(changed("t_junction", "sign", words)))
+    walker = Walker(robot_in(scene, 0, -2.5, 90))
+    [sign] = walker.look(["sign"])
+    assert walker.points_on(sign)
+    assert walker.map.texts == []
+
+
 def test_letters_are_read_from_farther_away_than_things_are_seen(
     changed: Callable[..., Path],
 ) -> None:

@@ -30,6 +30,7 @@ from memorymaze.agents.walking.floor_map import (
     Stretch,
     along_and_aside,
     distance_to_line,
+    is_on_a_pointer,
     metres_along,
     side_of_line,
 )
@@ -375,7 +376,9 @@ class Arrivals:
             yield from filter(self._may_be_it, self._floor.seen(phrase))
 
     def _may_be_it(self, sighting: Sighting) -> bool:
-        if sighting.track in self.refuted or self._floor.points_on(sighting):
+        if sighting.track in self.refuted:
+            return False
+        if is_on_a_pointer(sighting, self._floor.texts):
             return False
         is_told = sighting.phrase not in self.kin
         return is_told or is_kin(sighting.label, self._name)

@@ -167,8 +167,6 @@ class FloorMap:
         self.stretches: dict[tuple[int, int], Stretch] = {}
         self._sightings: dict[str, dict[int, Sighting]] = {}
         self._texts: dict[int, Sighting] = {}
-        self._pointing: set[int] = set()
-        """Tracks of the texts that point to somewhere else."""
         self._dead_ends = 0
         self.views: dict[tuple[int, int], _View] = {}
         """By crossing and exit."""
@@ -316,15 +314,6 @@ class FloorMap:
     def note_text(self, text: Sighting) -> None:
         """Keep what was read, its words as phrase and label; from nearest it counts."""
         _keep_nearest(self._texts, text)
-        if points_elsewhere(text.phrase):
-            self._pointing.add(text.track)
-
-    def points_on(self, sighting: Sighting) -> bool:
-        """Tell whether it is a sign on which words were read that point elsewhere."""
-        return any(
-            math.dist(self._texts[track].place, sighting.place) <= SAME_SIGN
-            for track in self._pointing
-        )
 
     @property
     def sightings(self) -> list[Sighting]:
@@ -398,6 +387,15 @@ def _keep_nearest(seen: dict[int, Sighting], sighting: Sighting) -> None:
     known = seen.get(sighting.track)
     if known is None or sighting.distance < known.distance:
         seen[sighting.track] = sighting
+
+
+def is_on_a_pointer(sighting: Sighting, texts: Iterable[Sighting]) -> bool:
+    """Tell whether it is a sign on which words were read that point elsewhere."""
+    return any(
+        math.dist(text.place, sighting.place) <= SAME_SIGN
+        and points_elsewhere(text.phrase)
+        for text in texts
+    )
 
 
 def distance_to_line(point: Point, line: Sequence[Point]) -> float:

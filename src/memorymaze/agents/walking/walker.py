@@ -13,6 +13,7 @@ from memorymaze.agents.walking.floor_map import (
     Sighting,
     Stretch,
     along_and_aside,
+    is_on_a_pointer,
 )
 from memorymaze.geometry.pose import wrap_angle
 from memorymaze.perception.detector import LONGEST_QUERY
@@ -384,9 +385,8 @@ class Walker:
 
     def points_on(self, seen: Sighting) -> bool:
         """Tell whether what was just seen is a sign that points to somewhere else."""
-        for text in self._robot.read_signs():
-            self.map.note_text(self._placed(text.text, text.text, 1.0, text))
-        return self.map.points_on(seen)
+        read = self._read()
+        return is_on_a_pointer(seen, (*self.map.texts, *read))
 
     def look(self, phrases: Collection[str]) -> list[Sighting]:
         """Look for things; what is seen, or read from farther away, goes on the map."""
@@ -400,14 +400,29 @@ class Walker:
                 self.map.note(sighting)
                 seen.append(sighting)
         if self._reads_signs and self._is_time_to_read():
-            for text in self._robot.read_signs():
-                self.map.note_text(self._placed(text.text, text.text, 1.0, text))
-                for phrase in filter(partial(_is_written, text.text), phrases):
-                    written = self._placed(phrase, "sign", AS_WRITTEN, text)
-                    written = replace(written, track=-text.track_id)
+            for text in self._read():
+                for phrase in filter(partial(_is_written, text.phrase), phrases):
+                    written = replace(
+                        text,
+                        phrase=phrase,
+                        label="sign",
+                        score=AS_WRITTEN,
+                        track=-text.track,
+                    )
                     if self.map.note_written(written):
                         seen.append(written)
         return seen
+
+    def _read(self) -> list[Sighting]:
+        """Return what is written in view; it goes on the map of who reads signs."""
+        texts = [
+            self._placed(each.text, each.text, 1.0, each)
+            for each in self._robot.read_signs()
+        ]
+        if self._reads_signs:
+            for text in texts:
+                self.map.note_text(text)
+        return texts
 
     def _is_time_to_read(self) -> bool:
         """Tell whether it came far enough since it last read, or turned: signs are large."""
