@@ -53,8 +53,6 @@ Doubt = Annotated[float, Field(ge=0, le=1, allow_inf_nan=False)]
 _Metres = Annotated[float, Field(ge=0, allow_inf_nan=False)]
 STEP_METRES, SECOND_METRES = 0.7, 1.0
 """Metres of a step, and of a second of walking: a minute is 60 m."""
-OF_A_BOUND = 0.6
-"""Share of an upper bound that is expected."""
 MOST_COUNTED, MOST_LEGS = 10**6, 200
 """What is more no speaker means; agents count and search with these."""
 _Count = Annotated[int, Field(ge=1, le=MOST_COUNTED)]
@@ -95,11 +93,6 @@ class Length:
     """So many it is of; the one that it is told with is the last."""
     doubt: Doubt = 0.0
     """The speaker's."""
-
-    @property
-    def expected(self) -> float:
-        """Metres that one stretch is expected to have; of a bound a little over half."""
-        return self.metres * (OF_A_BOUND if self.at_most else 1.0) / self.stretches
 
 
 @dataclass(frozen=True, slots=True)

@@ -119,6 +119,8 @@ WAY_METRES = 12.0
 """Length of the ways between two turns, in the middle."""
 UNTOLD_METRES = 30.0
 """From here on a way gets the rarer the longer it is, if no length of it was said."""
+OF_A_BOUND = 0.6
+"""Share of an upper bound that a length is expected to have."""
 PLACE_METRES = 8.0
 """From one place where one can turn to the next, where only metres are told."""
 BEND = math.radians(45)
@@ -179,7 +181,7 @@ def length_ratio(
             len(SPEAKERS), _count_right(model.count_right, off) / USUAL_COUNT
         )
     spread = _spread(model, length)
-    return _said_over_any(model, _log_metres(length.expected), spread, walked)
+    return _said_over_any(model, _log_metres(_expected(length)), spread, walked)
 
 
 def length_to_come(
@@ -196,7 +198,7 @@ def length_to_come(
         ratio = _count_right(model.count_right, off) / USUAL_COUNT
         return np.full(len(SPEAKERS), min(ratio, 1.0))
     spread = _spread(model, length)
-    return _survival_ratio(model, _log_metres(length.expected), spread, walked)
+    return _survival_ratio(model, _log_metres(_expected(length)), spread, walked)
 
 
 def untold_length(model: Likelihoods, walked: float) -> float:
@@ -251,6 +253,11 @@ def _beyond(z: float) -> float:
 
 def _log_metres(metres: float) -> float:
     return math.log(max(metres, FEWEST_METRES))
+
+
+def _expected(length: Length) -> float:
+    """Return the metres that one stretch is expected to have."""
+    return length.metres * (OF_A_BOUND if length.at_most else 1.0) / length.stretches
 
 
 def _spread(model: Likelihoods, length: Length) -> float:
