@@ -106,26 +106,25 @@ def destinations_of(site: Site) -> list[Destination]:
             if mark.mount != "ceiling" and not points_elsewhere(mark.text or ""):
                 found.append(Destination("sign", thing))
     count = Counter(each.thing.words for each in found)
-    return [
-        each
-        for each in found
-        if count[each.thing.words] == 1 and not _is_written_elsewhere(each.thing, site)
-    ]
-
-
-def _is_written_elsewhere(thing: Thing, site: Site) -> bool:
-    """Tell whether another place bears the same words: a room's other door, a sign at it."""
-    bearers = [
+    written = [
         *((door.label, door.line.centroid) for door in site.doors),
         *((m.text, m.position) for m in site.landmarks if m.mount != "ceiling"),
     ]
-    words = thing.words.rpartition(" that says ")[2].casefold()
-    return any(
-        text is not None
-        and text.casefold() == words
-        and math.dist(thing.position, (spot.x, spot.y)) > ARRIVED
-        for text, spot in bearers
-    )
+
+    def is_written_elsewhere(thing: Thing) -> bool:
+        # A room has another door, or a sign at it.
+        words = thing.words.rpartition(" that says ")[2].casefold()
+        return any(
+            (text or "").casefold() == words
+            and math.dist(thing.position, (spot.x, spot.y)) > ARRIVED
+            for text, spot in written
+        )
+
+    return [
+        each
+        for each in found
+        if count[each.thing.words] == 1 and not is_written_elsewhere(each.thing)
+    ]
 
 
 def _by_its_label(door: Thing, label: str) -> Thing:

@@ -23,11 +23,11 @@ from numpy.typing import NDArray
 from scipy.optimize import minimize
 
 from benchmarks.decisions import Moment, Way, watched_walks
-from benchmarks.made_walks import FIRST_SEED, ToldWay, told_ways
+from benchmarks.made_walks import ToldWay, floor_seeds, told_ways
 from memorymaze.agents.guide.alignments import AssumedStart
 from memorymaze.agents.guide.likelihoods import Likelihoods
 from memorymaze.agents.guide.tellings import Tellings
-from memorymaze.construction import BUILDING_KINDS
+from memorymaze.construction import BUILDING_KINDS, BuildingKind
 from memorymaze.routes import RoutePlan
 
 SPEAKERS = ("exact", "people", "people", "errors")
@@ -194,10 +194,9 @@ class Fit:
         return _values(best)
 
 
-def _walked(task: tuple[str, str, int, int, Path]) -> list[Snapshot]:
+def _walked(task: tuple[BuildingKind, str, int, int, Path]) -> list[Snapshot]:
     kind, speakers, made, seed, folder = task
-    first = FIRST_SEED + 1000 * seed
-    floors = {kind: range(first, first + made)}
+    floors = {kind: floor_seeds(seed, made)}
     told = list(told_ways(floors, speakers, 1, seed, folder / f"{speakers}-{seed}"))
     return snapshots(told, seed, speakers)
 

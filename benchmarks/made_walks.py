@@ -24,7 +24,7 @@ from benchmarks.plan_walks import (
     share,
     walk_plans,
 )
-from memorymaze.construction import BUILDING_KINDS, make_building
+from memorymaze.construction import BUILDING_KINDS, BuildingKind, make_building
 from memorymaze.errors import SitePlanError
 from memorymaze.evaluation.settings import RunSettings
 from memorymaze.instructions import Instruction
@@ -59,7 +59,7 @@ class ToldWay:
 
 
 def told_ways(
-    floors: Mapping[str, Sequence[int]],
+    floors: Mapping[BuildingKind, Sequence[int]],
     speakers: str,
     per_route: int,
     seed: int,
@@ -69,16 +69,30 @@ def told_ways(
 
     Floors are the same for all speakers.
     """
+    for kind, site in made_floors(floors, folder):
+        try:
+            yield from ways_of(site, kind, speakers, per_route, seed)
+        except SitePlanError:
+            continue
+
+
+def made_floors(
+    floors: Mapping[BuildingKind, Sequence[int]], folder: Path
+) -> Iterator[tuple[BuildingKind, Site]]:
+    """Make floors, by kind and seed of these; their plans go into the folder."""
     folder.mkdir(parents=True, exist_ok=True)
     for kind, seeds in floors.items():
         for number in seeds:
             building = make_building(kind, number)
             path = folder / f"{building.name}.geojson"
             path.write_bytes(building.plan)
-            try:
-                yield from ways_of(load_site(path), kind, speakers, per_route, seed)
-            except SitePlanError:
-                continue
+            yield kind, load_site(path)
+
+
+def floor_seeds(seed: int, made: int) -> range:
+    """Return the seeds of so many floors of a kind."""
+    first = FIRST_SEED + 1000 * seed
+    return range(first, first + made)
 
 
 def ways_of(
@@ -138,8 +152,7 @@ def made_walks_parser(bench: str) -> argparse.ArgumentParser:
 
 def told_by(options: argparse.Namespace) -> Iterator[ToldWay]:
     """Yield the ways that the options ask for."""
-    first = FIRST_SEED + 1000 * options.seed
-    seeds = range(first, first + options.made)
+    seeds = floor_seeds(options.seed, options.made)
     floors = dict.fromkeys(options.kinds or BUILDING_KINDS, seeds)
     return told_ways(
         floors, options.speakers, options.sample, options.seed, options.out / "made"

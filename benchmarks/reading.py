@@ -20,15 +20,14 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from benchmarks.made_walks import FIRST_SEED
+from benchmarks.made_walks import floor_seeds, made_floors
 from memorymaze.agents.agent import Journal
 from memorymaze.agents.plan_readers import GrammarReader, read_plan_reply
-from memorymaze.construction import BUILDING_KINDS, BuildingKind, make_building
+from memorymaze.construction import BUILDING_KINDS, BuildingKind
 from memorymaze.errors import SitePlanError
 from memorymaze.instructions import load_corpus
 from memorymaze.instructions.records import Episode
 from memorymaze.routes import Arrival, Leg, RoutePlan
-from memorymaze.sites import load_site
 from memorymaze.tables import Column, Table
 from memorymaze.understanding import place_on_sign
 from memorymaze.writing import ErrorRates, cells_of, sample_outlines, write_texts
@@ -273,43 +272,34 @@ def _plain_name(phrase: str) -> str:
 
 
 def made_table(
-    floors: int, seed: int, folder: Path, kinds: Iterable[BuildingKind] = BUILDING_KINDS
+    floors: int, seed: int, folder: Path, kinds: Sequence[BuildingKind] = BUILDING_KINDS
 ) -> Table:
     """Return how much of right made-up texts the grammar reads, by kind of building."""
-    grammar, counts = GrammarReader(), dict[str, Counter[str]]()
-    for kind in kinds:
-        for number in range(floors):
-            building = make_building(kind, FIRST_SEED + 1000 * seed + number)
-            path = folder / f"{building.name}.geojson"
-            path.write_bytes(building.plan)
-            for cell in cells_of(load_site(path), iterations=(1,)):
-                try:
-                    outlines = sample_outlines(cell, ErrorRates(failure=0.0), 1, seed)
-                except SitePlanError:
-                    continue  # nothing plain can be said of this way
-                for outline in outlines:
-                    told = outline.told_plan.said
-                    (text,) = write_texts(outline, paired=False)
-                    read = grammar.read(text.text, Journal())
-                    alike = len(aligned_turns(told, read))
-                    for each in (kind, "all"):
-                        counts.setdefault(each, Counter()).update(
-                            texts=1,
-                            legs=len(told.legs),
-                            as_told=legs_as_told(told, read),
-                            turns=alike == len(told.legs) == len(read.legs),
-                            named=bool(_names(told.arrival) & _names(read.arrival)),
-                        )
-    counts["all"] = counts.pop("all", Counter())
+    grammar, as_told = GrammarReader(), Counter[str]()
+    scores = {name: Score() for name in (*kinds, "all")}
+    made = made_floors(dict.fromkeys(kinds, floor_seeds(seed, floors)), folder)
+    for kind, site in made:
+        for cell in cells_of(site, iterations=(1,)):
+            try:
+                outlines = sample_outlines(cell, ErrorRates(failure=0.0), 1, seed)
+            except SitePlanError:
+                continue  # nothing plain can be said of this way
+            for outline in outlines:
+                told = outline.told_plan.said
+                (text,) = write_texts(outline, paired=False)
+                read = grammar.read(text.text, Journal())
+                for name in (kind, "all"):
+                    scores[name].add(told, read)
+                    as_told[name] += legs_as_told(told, read)
     rows = [
         {
-            "kind": kind,
-            "texts": count["texts"],
-            "legs": count["as_told"] / count["legs"],
-            "turns": count["turns"] / count["texts"],
-            "named": count["named"] / count["texts"],
+            "kind": name,
+            "texts": score.texts,
+            "legs": as_told[name] / score.parts["turn"].reference,
+            "turns": score.parts["turns"].both / score.texts,
+            "named": score.parts["destination"].both / score.texts,
         }
-        for kind, count in counts.items()
+        for name, score in scores.items()
     ]
     return Table(
         "What right made-up texts say, as the grammar reads it",
