@@ -21,17 +21,21 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from benchmarks.made_walks import floor_seeds, made_floors
-from memorymaze.agents.agent import Journal
-from memorymaze.agents.plan_readers import GrammarReader, read_plan_reply
+from memorymaze.agents.plan_readers import read_plan_reply
 from memorymaze.construction import BUILDING_KINDS, BuildingKind
 from memorymaze.errors import SitePlanError
 from memorymaze.instructions import load_corpus
 from memorymaze.instructions.records import Episode
 from memorymaze.routes import Arrival, Leg, RoutePlan
 from memorymaze.tables import Column, Table
-from memorymaze.understanding import place_on_sign
+from memorymaze.understanding import parse_route_description, place_on_sign
+from memorymaze.understanding.marking import read_by_marks
 from memorymaze.writing import ErrorRates, cells_of, sample_outlines, write_texts
 
+READERS: dict[str, Callable[[str], RoutePlan]] = {
+    "grammar": parse_route_description,
+    "learned": read_by_marks,
+}
 RECORDED = Path(__file__).parents[1] / "examples" / "recorded"
 SAME_LENGTH = 0.2
 """Lengths that differ by no more than this share of the longer one are the same."""
@@ -211,13 +215,15 @@ def scores(
 
 
 def reading_table() -> Table:
-    """Return how the grammar's plans, and a second reading, agree with the model's."""
+    """Return how plans of each reader, and a second reading, agree with the model's."""
     episodes = load_corpus().episodes
     reference = recorded_plans("plans")
     second = recorded_plans("plans_second_reading")
-    grammar = GrammarReader()
     readers: dict[str, Callable[[Episode], RoutePlan | None]] = {
-        "grammar": lambda each: grammar.read(each.instruction.text, Journal()),
+        **{
+            name: lambda each, read=read: read(each.instruction.text)
+            for name, read in READERS.items()
+        },
         "second reading": lambda each: second.get(each.instruction.id),
     }
     rows = [
@@ -272,10 +278,14 @@ def _plain_name(phrase: str) -> str:
 
 
 def made_table(
-    floors: int, seed: int, folder: Path, kinds: Sequence[BuildingKind] = BUILDING_KINDS
+    floors: int,
+    seed: int,
+    folder: Path,
+    kinds: Sequence[BuildingKind] = BUILDING_KINDS,
+    reader: str = "grammar",
 ) -> Table:
-    """Return how much of right made-up texts the grammar reads, by kind of building."""
-    grammar, as_told = GrammarReader(), Counter[str]()
+    """Return how much of right made-up texts is read, by kind of building."""
+    as_told = Counter[str]()
     scores = {name: Score() for name in (*kinds, "all")}
     made = made_floors(dict.fromkeys(kinds, floor_seeds(seed, floors)), folder)
     for kind, site in made:
@@ -287,7 +297,7 @@ def made_table(
             for outline in outlines:
                 told = outline.told_plan.said
                 (text,) = write_texts(outline, paired=False)
-                read = grammar.read(text.text, Journal())
+                read = READERS[reader](text.text)
                 for name in (kind, "all"):
                     scores[name].add(told, read)
                     as_told[name] += legs_as_told(told, read)
@@ -302,7 +312,7 @@ def made_table(
         for name, score in scores.items()
     ]
     return Table(
-        "What right made-up texts say, as the grammar reads it",
+        f"What right made-up texts say, as read by: {reader}",
         (
             Column("kind", "Building", role="label"),
             Column("texts", "n"),
@@ -320,9 +330,15 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--made", type=int, metavar="K", help="floors of each kind")
     parser.add_argument("--seed", type=int, default=0, metavar="N")
+    parser.add_argument(
+        "--reader", choices=READERS, default="grammar", help="of --made"
+    )
     options = parser.parse_args()
     if options.made is None:
         print(reading_table().text())
     else:
         with TemporaryDirectory() as folder:
-            print(made_table(options.made, options.seed, Path(folder)).text())
+            made = made_table(
+                options.made, options.seed, Path(folder), reader=options.reader
+            )
+            print(made.text())

@@ -194,8 +194,8 @@ def find_destinations(
         or is_common(names[0])
         or any(map(_LONG_NUMBER.search, numbered))
     ):
-        return _shown(numbered or names), side, nth
-    return _shown(names), side, nth
+        return shown_names(numbered or names), side, nth
+    return shown_names(names), side, nth
 
 
 def _is_said_of(name: str, asked: str) -> bool:
@@ -247,10 +247,10 @@ def _on_signs(drafts: Sequence[PartialLeg]) -> list[str]:
     return [signs[-1]] if signs and signs[-1] else []
 
 
-def _shown(names: Sequence[str]) -> tuple[str, ...]:
-    """Return what shows each destination: of a numbered room first its door.
+def shown_names(names: Sequence[str]) -> tuple[str, ...]:
+    """Return what shows each destination, three at most: of a numbered room its door.
 
-    >>> _shown(("room 6",)), _shown(("glass door of the library",))
+    >>> shown_names(("room 6",)), shown_names(("glass door of the library",))
     (('door that says room 6', 'room 6'), ('glass door of the library', 'library'))
     """
     shown: list[str] = []

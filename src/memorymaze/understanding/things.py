@@ -47,7 +47,10 @@ _LANES = re.compile(
 )
 
 
-_IDLE_NAME = re.compile(r"(?:lost and found|left luggage|way out)\b")
+_IDLE_NAME = re.compile(
+    r"(?:lost (?:and found|property)|left luggage|way out"
+    r"|waiting (?:rooms?|areas?|halls?|lounges?))\b"
+)
 """Names made of words that name nothing by themselves."""
 _BINDING = re.compile(
     r" (?:of|with|that|for|on|in|saying|marked|called|named|opposite) "

@@ -1,0 +1,127 @@
+"""Marked texts as labels of their words."""
+
+import json
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from memorymaze.instructions import load_corpus
+from memorymaze.understanding.marking.marks import OF_NO_LEG
+from memorymaze.understanding.marking.word_pieces import Word, words_in
+
+MARKED_TEXTS = Path("examples/marked_texts")
+SIDES = frozenset({"left", "right"})
+
+
+@dataclass(frozen=True, slots=True)
+class MarkedWord:
+    """A word, and what it is part of."""
+
+    text: str
+    label: str = ""
+    begins: bool = False
+    """Whether it is the first word of its mark."""
+    leg: int = -1
+
+    @property
+    def steps(self) -> bool:
+        """Whether a mark begins here that tells on which leg the speaker is."""
+        return self.begins and self.label not in OF_NO_LEG
+
+
+@dataclass(frozen=True, slots=True)
+class MarkedText:
+    """A text by one person."""
+
+    id: str
+    person: str
+    words: tuple[MarkedWord, ...]
+    turns: int
+
+
+def load_marked_texts(folder: Path = MARKED_TEXTS) -> list[MarkedText]:
+    """Return all marked texts of a folder."""
+    corpus = {
+        each.instruction.id: each.instruction.text for each in load_corpus().episodes
+    }
+    texts: list[MarkedText] = []
+    for path in sorted(folder.glob("*.jsonl")):
+        for line in path.read_text("utf-8").splitlines():
+            record = json.loads(line)
+            number = record["id"]
+            person = number if path.stem == "invented" else number.rpartition("-")[0]
+            text = record.get("text") or corpus[number]
+            texts.append(_marked(number, person, text, record["marks"]))
+    return texts
+
+
+def _marked(number: str, person: str, text: str, marks: Sequence[Any]) -> MarkedText:
+    words = words_in(text)
+    marked = [MarkedWord(each.text) for each in words]
+    after = 0
+    for said, label, leg in marks:
+        start = text.index(said, after)
+        after = start + len(said)
+        kind = label.split(":")[0]
+        label = kind if kind in {"ordinal", "nth"} else label
+        for place, at in enumerate(_within(words, start, after)):
+            if not marked[at].label:
+                marked[at] = replace(
+                    marked[at], label=label, begins=place == 0, leg=leg
+                )
+    turns = max((leg for _, _, leg in marks), default=0)
+    return MarkedText(number, person, tuple(_only_sides(marked)), turns)
+
+
+def _within(words: Sequence[Word], start: int, end: int) -> range:
+    """Return the words of a piece, without punctuation at its ends."""
+    inside = [
+        n for n, word in enumerate(words) if word.start < end and word.end > start
+    ]
+    said = [n for n in inside if re.match(r"\w|&", words[n].text)] or inside
+    return range(said[0], said[-1] + 1)
+
+
+def marks_of(words: Sequence[MarkedWord]) -> Iterator[tuple[int, int]]:
+    """Yield the first word of each mark, and the one after its last."""
+    start = 0
+    while start < len(words):
+        end = start + 1
+        if words[start].begins:
+            while (
+                end < len(words)
+                and words[end].label == words[start].label
+                and not words[end].begins
+            ):
+                end += 1
+            yield start, end
+        start = end
+
+
+def _only_sides(words: Sequence[MarkedWord]) -> list[MarkedWord]:
+    """Leave of a turn, a bend and a side the word that tells the side, if there is one."""
+    out = list(words)
+    for start, end in marks_of(words):
+        kind, _, way = words[start].label.partition(":")
+        side = way.split("_")[-1]
+        if kind in {"turn", "bend", "side"} and side in SIDES:
+            told = [n for n in range(start, end) if words[n].text.lower() == side]
+            if told:
+                out[start:end] = [MarkedWord(each.text) for each in words[start:end]]
+                out[told[-1]] = replace(
+                    words[told[-1]],
+                    label=words[start].label,
+                    begins=True,
+                    leg=words[start].leg,
+                )
+    return out
+
+
+def ways_of(words: Sequence[MarkedWord]) -> list[str]:
+    """Return the turns and bends in their order."""
+    labels = [each.label for each in words if each.begins]
+    return [
+        label.partition(":")[2] for label in labels if label[:5] in {"turn:", "bend:"}
+    ]

@@ -1,0 +1,65 @@
+"""Texts put together anew are still told leg by leg, with each turn once."""
+
+from pathlib import Path
+
+import pytest
+from benchmarks.marking.marked_texts import load_marked_texts, marks_of, ways_of
+from benchmarks.marking.recombining import Recombiner, legs_of, mirrored
+
+from memorymaze.routes import RoutePlan
+from memorymaze.understanding.marking.marks import Mark
+from memorymaze.understanding.marking.plans import plan_of_marks
+from memorymaze.understanding.marking.word_pieces import Word
+
+TEXTS = load_marked_texts(Path(__file__).parents[2] / "examples" / "marked_texts")
+
+
+def _plan(words) -> RoutePlan:  # type: ignore[no-untyped-def]
+    text, at = "", list[Word]()
+    for each in words:
+        at.append(Word(each.text, len(text), len(text) + len(each.text)))
+        text += each.text + " "
+    return plan_of_marks(
+        text,
+        [
+            Mark(at[a].start, at[b - 1].end, words[a].label, words[a].leg, 1.0)
+            for a, b in marks_of(words)
+        ],
+    )
+
+
+def test_the_marks_of_a_text_make_a_plan_with_its_turns() -> None:
+    for text in TEXTS[::5]:
+        told = [way.removeprefix("slight_") for way in ways_of(text.words)]
+        read = [leg.turn.way.removeprefix("slight_") for leg in _plan(text.words).legs]
+        assert sorted(read) == sorted(told), text.id
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_each_leg_of_a_drawn_text_has_one_turn(seed: int) -> None:
+    texts = Recombiner(TEXTS[::3], seed)
+    for _ in range(100):
+        words = texts.draw()
+        turns = [
+            each.leg for each in words if each.begins and each.label[:5] == "turn:"
+        ]
+        turns += [
+            each.leg for each in words if each.begins and each.label[:5] == "bend:"
+        ]
+        assert sorted(turns) == list(range(len(turns)))
+
+
+def test_the_other_side_of_the_other_side_is_the_first() -> None:
+    for text in TEXTS[::7]:
+        words = list(text.words)
+        assert [each.label for each in mirrored(mirrored(words))] == [
+            w.label for w in words
+        ]
+
+
+def test_legs_put_together_again_are_the_text() -> None:
+    cut = [(text, legs) for text in TEXTS if (legs := legs_of(text)) is not None]
+    assert len(cut) > len(TEXTS) / 2
+    for text, legs in cut[::5]:
+        assert [word for leg in legs for word in leg] == list(text.words)
+        assert len(legs) == text.turns + 1
