@@ -7,7 +7,9 @@ from hypothesis import strategies as st
 
 from memorymaze.agents.agent import TOLD_AGAIN, Journal
 from memorymaze.agents.plan_readers import (
+    BothReader,
     GrammarReader,
+    LearnedReader,
     ModelReader,
     WrittenPlanReader,
     read_plan_reply,
@@ -31,6 +33,17 @@ def test_a_model_writes_the_plan_of_a_text() -> None:
     assert plan == expected
     [asked] = model.requests
     assert asked.messages[-1].content == TEXT
+
+
+def test_what_two_readers_make_of_a_text_counts_as_two_tellings_if_it_differs() -> None:
+    text = "Past the sofa, take a right, I mean a left, and it's the second door there."
+    readers = GrammarReader(), LearnedReader()
+    plans = [each.read(text, Journal()) for each in readers]
+    assert plans[0] != plans[1]
+    assert BothReader().read_tellings(text, Journal()) == plans
+    twice = BothReader().read_tellings(text + TOLD_AGAIN + text, Journal())
+    assert twice == plans * 2
+    assert len(BothReader().read_tellings("", Journal())) == 1
 
 
 def test_a_reply_that_is_no_plan_is_asked_for_once_more_with_what_is_wrong() -> None:
@@ -79,7 +92,8 @@ def test_the_guide_walks_the_plans_in_a_file_of_answers(
             record |= {"stage": "plan", "reply": json.dumps(plan)}
             file.write(json.dumps(record) + "\n")
     run = ["evaluate", "--agent", "guide", "--workers", "1", *tiny_files, "--out"]
-    assert run_command_line([*run, str(tmp_path / "grammar")]) == 0
+    by_grammar = ["--set", "reader=grammar"]
+    assert run_command_line([*run, str(tmp_path / "grammar"), *by_grammar]) == 0
     by_model = ["--set", "reader=model", "--replay", str(answers)]
     assert run_command_line([*run, str(tmp_path / "model"), *by_model]) == 0
 

@@ -30,9 +30,11 @@ from memorymaze.language.model import (
 from memorymaze.language.prompt_texts import load_prompt, prompt_version
 from memorymaze.routes import RoutePlan, parse_plan
 from memorymaze.understanding import parse_route_description
+from memorymaze.understanding.marking import read_by_marks
 
-ReaderName = Literal["grammar", "model", "plan"]
-"""The grammar, a language model, or nobody: the instruction is the JSON of a plan."""
+ReaderName = Literal["both", "grammar", "learned", "model", "plan"]
+"""The grammar and the network that was trained, one of them, a language model, or nobody:
+the instruction is the JSON of a plan."""
 
 
 class PlanReader(ABC):
@@ -40,7 +42,7 @@ class PlanReader(ABC):
 
     @property
     def variant(self) -> str:
-        """What tells an agent with this reader from one with the grammar: `[model]`."""
+        """What tells an agent with this reader from one with the default: `[model]`."""
         return ""
 
     def requests_expected(self, instruction: str) -> list[CompletionRequest]:
@@ -67,10 +69,50 @@ class PlanReader(ABC):
 class GrammarReader(PlanReader):
     """Reads with the grammar of `understanding`."""
 
+    @property
+    def variant(self) -> str:
+        """`[grammar]`."""
+        return "[grammar]"
+
     def _read(
         self, instruction: str, journal: Journal, numbers: Iterator[int]
     ) -> RoutePlan:
         return parse_route_description(instruction)
+
+
+class LearnedReader(PlanReader):
+    """Reads with the network that marks what words say."""
+
+    @property
+    def variant(self) -> str:
+        """`[learned]`."""
+        return "[learned]"
+
+    def _read(
+        self, instruction: str, journal: Journal, numbers: Iterator[int]
+    ) -> RoutePlan:
+        return read_by_marks(instruction)
+
+
+class BothReader(GrammarReader):
+    """Reads with the grammar and with the network, as if two people had told the way.
+
+    They err on different texts, so where one errs the other often holds against it. One
+    plan alone is the grammar's.
+    """
+
+    @property
+    def variant(self) -> str:
+        """Nothing: these are what an agent has unless it is told otherwise."""
+        return ""
+
+    def read_tellings(self, instruction: str, journal: Journal) -> list[RoutePlan]:
+        """Return what both make of each telling; one plan where only one says anything new."""
+        plans: list[RoutePlan] = []
+        for telling in tellings_of(instruction):
+            first, second = parse_route_description(telling), read_by_marks(telling)
+            plans += [first] if second in {first, RoutePlan()} else [first, second]
+        return plans
 
 
 class WrittenPlanReader(PlanReader):
@@ -130,9 +172,10 @@ class ModelReader(PlanReader):
 class ReaderOptions:
     """What can be set of an agent that begins by reading."""
 
-    reader: ReaderName = "grammar"
-    """What turns the text into a plan: the grammar, offline, a language model, or nobody,
-    where the text is the JSON of a plan (`plan`)."""
+    reader: ReaderName = "both"
+    """What turns the text into a plan: the grammar and the trained network, offline
+    (`both`), one of them, a language model, or nobody, where the text is the JSON of a
+    plan (`plan`)."""
 
     @property
     def needs(self) -> frozenset[Need]:
@@ -162,11 +205,14 @@ class ReadsFirst:
 
 
 def _reader(options: ReaderOptions, model: LanguageModel | None) -> PlanReader:
-    if options.reader == "plan":
-        return WrittenPlanReader()
-    if options.reader == "grammar" or model is None:
-        return GrammarReader()
-    return ModelReader(model)
+    if model is not None:
+        return ModelReader(model)
+    readers = {
+        "plan": WrittenPlanReader,
+        "grammar": GrammarReader,
+        "learned": LearnedReader,
+    }
+    return readers.get(options.reader, BothReader)()
 
 
 def read_plan_reply(reply: str) -> RoutePlan:
