@@ -5,7 +5,7 @@ import math
 import multiprocessing
 import os
 import signal
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Generator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from multiprocessing import resource_tracker
 from multiprocessing.connection import Connection, wait
@@ -27,6 +27,7 @@ from memorymaze.wording import counted
 # Children of a server hold no locks or threads of the parent's libraries, and begin with
 # what the server has imported once for all of them.
 PROCESSES = multiprocessing.get_context("forkserver")
+_THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
 PROCESSES.set_forkserver_preload(["memorymaze.evaluation.episode_worker"])
 
 
@@ -81,6 +82,22 @@ class LocalSource:
         return [w for w in workers if w.connection in there or not w.is_alive()]
 
 
+@contextlib.contextmanager
+def _one_thread_each() -> Generator[None]:
+    """Have linear algebra in the processes started here take one core, unless told otherwise.
+
+    Workers share the cores already; their threads would wait for each other. It holds
+    where the library is loaded, in the server; what agents load later sees nothing of it.
+    """
+    unset = [name for name in _THREADS if name not in os.environ]
+    os.environ.update(dict.fromkeys(unset, "1"))
+    try:
+        yield
+    finally:
+        for name in unset:
+            del os.environ[name]
+
+
 class LocalWorker:
     """A process of this machine, and the connection to it."""
 
@@ -98,7 +115,7 @@ class LocalWorker:
         resource_tracker.ensure_running()
         before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
         try:
-            with main_left_out():
+            with main_left_out(), _one_thread_each():
                 self._process.start()
         finally:
             signal.pthread_sigmask(signal.SIG_SETMASK, before)
