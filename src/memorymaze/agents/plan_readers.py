@@ -107,11 +107,15 @@ class BothReader(GrammarReader):
         return ""
 
     def read_tellings(self, instruction: str, journal: Journal) -> list[RoutePlan]:
-        """Return what both make of each telling; one plan where only one says anything new."""
+        """Return what both make of each telling.
+
+        It is one plan where they agree, and where one of them finds no turn at all: that
+        one has missed them.
+        """
         plans: list[RoutePlan] = []
         for telling in tellings_of(instruction):
-            first, second = parse_route_description(telling), read_by_marks(telling)
-            plans += [first] if second in {first, RoutePlan()} else [first, second]
+            read = parse_route_description(telling), read_by_marks(telling)
+            plans += dict.fromkeys([plan for plan in read if plan.legs] or read[:1])
         return plans
 
 

@@ -34,10 +34,10 @@ class Mark:
     @property
     def is_turn(self) -> bool:
         """Whether a leg ends with it."""
-        return is_turn(self.label)
+        return ends_leg(self.label)
 
 
-def is_turn(label: str) -> bool:
+def ends_leg(label: str) -> bool:
     """Tell whether a label is that of a turn, or of a bend that is followed."""
     return label.startswith(("turn:", "bend:"))
 
@@ -51,7 +51,7 @@ class Marker:
         The first of the two is for its first word, the second for those after it.
         """
         self._labels, self._follows = labels, WEIGHT * follows
-        kinds = ["turn" if is_turn(each) else each for each in labels]
+        kinds = ["turn" if ends_leg(each) else each for each in labels]
         self._alike = [
             [
                 state

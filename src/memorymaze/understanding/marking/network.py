@@ -11,8 +11,8 @@ from scipy.special import erf, log_softmax, softmax
 
 from memorymaze.understanding.marking.word_pieces import Word, WordPieces, cases_of
 
-FloatArray = NDArray[np.float32]
-Linear = tuple[FloatArray, FloatArray]
+_Floats = NDArray[np.float32]
+_Weights = tuple[_Floats, _Floats]
 
 LONGEST = 512
 """Pieces of a text that are looked at at once."""
@@ -41,14 +41,14 @@ class Judged(NamedTuple):
 
 @dataclass(frozen=True)
 class _Layer:
-    query: Linear
-    key: Linear
-    value: Linear
-    output: Linear
-    norm: Linear
-    inner: Linear
-    outer: Linear
-    last_norm: Linear
+    query: _Weights
+    key: _Weights
+    value: _Weights
+    output: _Weights
+    norm: _Weights
+    inner: _Weights
+    outer: _Weights
+    last_norm: _Weights
 
 
 def encoded(pieces: WordPieces, words: Sequence[Word]) -> Encoded:
@@ -106,11 +106,11 @@ class Network:
             softmax(steps.astype(np.float64), axis=1),
         )
 
-    def _linear(self, name: str) -> Linear:
+    def _linear(self, name: str) -> _Weights:
         return self._weights[f"{name}.weight"], self._weights[f"{name}.bias"]
 
 
-def _through(layer: _Layer, state: FloatArray) -> FloatArray:
+def _through(layer: _Layer, state: _Floats) -> _Floats:
     count, size = state.shape
     query, key, value = (
         _times(state, each).reshape(count, HEADS, size // HEADS).transpose(1, 0, 2)
@@ -126,18 +126,18 @@ def _through(layer: _Layer, state: FloatArray) -> FloatArray:
     return _normal(state + _times(inner, layer.outer), layer.last_norm)
 
 
-def _as_floats(weights: dict[str, NDArray[np.generic]], name: str) -> FloatArray:
+def _as_floats(weights: dict[str, NDArray[np.generic]], name: str) -> _Floats:
     if not name.endswith(".rows"):
         return weights[name].astype(np.float32)
     factors = weights[name.removesuffix("rows") + "factors"].astype(np.float32)
     return weights[name].astype(np.float32) * factors[:, None]
 
 
-def _times(state: FloatArray, weights: Linear) -> FloatArray:
+def _times(state: _Floats, weights: _Weights) -> _Floats:
     return state @ weights[0].T + weights[1]
 
 
-def _normal(state: FloatArray, weights: Linear) -> FloatArray:
+def _normal(state: _Floats, weights: _Weights) -> _Floats:
     off = state - state.mean(axis=1, keepdims=True)
     return (
         off / np.sqrt((off**2).mean(axis=1, keepdims=True) + EPSILON) * weights[0]

@@ -55,7 +55,7 @@ _PLACES = {"before": "before_turn", "after": "after_turn"}
 _ELSEWHERE = frozenset({"passed", "before"})
 """Places of things that are not where one arrives."""
 
-Said = tuple[Mark, dict[str, Any]]
+_Owner = tuple[Mark, dict[str, Any]]
 """A mark, and where a side, a number or a doubt said beside it belongs."""
 
 
@@ -114,8 +114,8 @@ class _Assembly:
         ends = sorted({each.leg for each in self._marks if each.is_turn})
         self._parts = [_Part() for _ in range(len(ends) + 1)]
         self._number = {leg: number for number, leg in enumerate(ends)}
-        self._said: list[Said] = []
-        self._things: list[Said] = []
+        self._said: list[_Owner] = []
+        self._things: list[_Owner] = []
         self._arrival: dict[str, Any] = {}
         self._names: list[str] = []
         self._start: dict[str, str] = {}
@@ -287,7 +287,7 @@ class _Assembly:
             if thing is not None and said is not None:
                 thing[kind] = said
 
-    def _nearest(self, mark: Mark, said: Sequence[Said]) -> dict[str, Any] | None:
+    def _nearest(self, mark: Mark, said: Sequence[_Owner]) -> dict[str, Any] | None:
         """Return what stands nearest; of two as near the one before."""
         return (
             min(said, key=lambda each: self._apart(each[0], mark))[1] if said else None
