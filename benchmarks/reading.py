@@ -5,7 +5,7 @@ texts by the model with each other, which is what agreement can be had at best:
 `python -m benchmarks.reading` (docs/benches.md).
 
 `--made K` compares what right made-up texts on K floors of each kind of building say with what
-the grammar reads: the share of legs whose turn, count and thing at the turn are read as told.
+the grammar reads (or `--reader learned`): the share of legs whose turn, count and thing at the turn are read as told.
 
 The plans come from the kind of model that wrote the texts, so agreement flatters. Those
 of participants whose texts were not read while the grammar was developed (`held_out`) are

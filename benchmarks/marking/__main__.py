@@ -38,7 +38,7 @@ WARMING, LAST_RATE, HEADS_RATE = 50, 0.02, 10.0
 """Steps until the full rate, its share in the end, and how much faster the heads learn."""
 NEW = ("labels.", "steps.", "cases.")
 """Parts that MiniLM does not have."""
-LONGEST = 220
+MOST_WORDS = 220
 """Words of a text in training."""
 POOLED = 8
 """Batches that are drawn at once, to be parted by length."""
@@ -153,7 +153,9 @@ def _batches(texts: Recombiner, size: int) -> Iterator[list[list[MarkedWord]]]:
     """Yield drawn texts, those of about one length together."""
     shuffled = random.Random(size)
     while True:
-        pool = sorted((texts.draw()[:LONGEST] for _ in range(POOLED * size)), key=len)
+        pool = sorted(
+            (texts.draw()[:MOST_WORDS] for _ in range(POOLED * size)), key=len
+        )
         batches = [pool[n : n + size] for n in range(0, len(pool), size)]
         shuffled.shuffle(batches)
         yield from batches

@@ -13,10 +13,10 @@ from safetensors.torch import load
 from torch import Tensor, nn
 
 from benchmarks.marking.marked_texts import MarkedWord
-from memorymaze.understanding.marking.network import LONGEST, encoded
+from memorymaze.understanding.marking.network import HEADS, LONGEST, encoded
 from memorymaze.understanding.marking.word_pieces import Word, WordPieces
 
-SIZE, INNER, HEADS, DROPOUT = 384, 1536, 12, 0.1
+SIZE, INNER, DROPOUT = 384, 1536, 0.1
 CASES, STEPS = 4, 3
 FREQUENT = 20_000
 """Pieces that begin words are kept up to here: the vocabulary has the frequent ones first."""

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from memorymaze.instructions import load_corpus
-from memorymaze.understanding.marking.marks import OF_NO_LEG
+from memorymaze.understanding.marking.marks import OF_NO_LEG, ends_leg
 from memorymaze.understanding.marking.word_pieces import Word, words_in
 
 MARKED_TEXTS = Path("examples/marked_texts")
@@ -122,6 +122,4 @@ def _only_sides(words: Sequence[MarkedWord]) -> list[MarkedWord]:
 def ways_of(words: Sequence[MarkedWord]) -> list[str]:
     """Return the turns and bends in their order."""
     labels = [each.label for each in words if each.begins]
-    return [
-        label.partition(":")[2] for label in labels if label[:5] in {"turn:", "bend:"}
-    ]
+    return [label.partition(":")[2] for label in labels if ends_leg(label)]

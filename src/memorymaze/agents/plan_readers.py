@@ -212,11 +212,12 @@ def _reader(options: ReaderOptions, model: LanguageModel | None) -> PlanReader:
     if model is not None:
         return ModelReader(model)
     readers = {
-        "plan": WrittenPlanReader,
+        "both": BothReader,
         "grammar": GrammarReader,
         "learned": LearnedReader,
+        "plan": WrittenPlanReader,
     }
-    return readers.get(options.reader, BothReader)()
+    return readers[options.reader]()
 
 
 def read_plan_reply(reply: str) -> RoutePlan:

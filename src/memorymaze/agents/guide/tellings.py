@@ -82,13 +82,13 @@ class Telling:
 
     @property
     def says(self) -> float:
-        """How likely it says where to go now; not at all where all it told is used up."""
-        return self.is_right * (1 - self._open / self.total) if self.total else 0.0
+        """How likely it says where to go now."""
+        return self.is_right * (1 - self._open / self.total)
 
     def share_of_way(self, key: tuple[int, int]) -> float:
         """Return how likely it takes a way out of a crossing to be the next."""
         frontier = self.belief.frontiers.get(key)
-        if frontier is None or not self.total:
+        if frontier is None:
             return 0.0
         mass = sum(
             float(weights.sum())
@@ -102,8 +102,7 @@ class Telling:
         # Many alignments end at one place.
         if place not in self._shares_at:
             near = [e for e in self.endings if math.dist(e.place, place) < SAME_PLACE]
-            mass = sum(each.mass for each in near)
-            self._shares_at[place] = mass / self.total if self.total else 0.0
+            self._shares_at[place] = sum(each.mass for each in near) / self.total
         return self._shares_at[place]
 
 
@@ -165,10 +164,10 @@ class Tellings:
         ways = {key for each in self.all for key in each.belief.frontiers}
         choices = len(ways) + max(sum(len(each.endings) > 0 for each in self.all), 1)
         self.frontiers, self.endings = {}, []
-        for telling in self.all:
-            if not telling.total:
-                continue
-            others = [each for each in self.all if each is not telling]
+        # One that explains nothing any more makes all alike likely.
+        speaking = [each for each in self.all if each.total]
+        for telling in speaking:
+            others = [each for each in speaking if each is not telling]
 
             def agreed(
                 share: Callable[[Telling], float], others: Iterable[Telling] = others
