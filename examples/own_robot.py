@@ -1,31 +1,48 @@
 """A body of forty lines behind `SensorsAndMotion`: a point between walls, in no simulator.
 
 It shows what to write for a robot of your own; `GuideRobot` makes the rest of it: all that
-agents call. Try it: python examples/own_robot.py
+agents call. Try it by itself, and in the runs of the benchmark:
+
+    python examples/own_robot.py
+    memorymaze evaluate --agent guide --robot examples/own_robot.py:in_site --limit 6
 """
 
 import math
 
 import numpy as np
-from numpy.typing import NDArray
+import shapely
+from numpy.typing import ArrayLike, NDArray
 
 import memorymaze as mm
 from memorymaze.geometry.pose import Pose, wrap_angle
 from memorymaze.robot.sensors_and_motion import OdometryReading
 from memorymaze.robot.steps import CameraPicture, LidarScan
+from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.steering.guide_robot import GuideRobot
 
 CORRIDOR = ((0, -1), (12, -1), (12, -8), (14, -8), (14, 1), (0, 1))
 """Corners of the floor: 14 m to the east, then right, 7 m to the south."""
+WEST_END = Pose(1.0, 0.0, 0.0)
+Walls = NDArray[np.float64]
+"""Where each begins and ends, (walls, 2, 2), metres."""
+
+
+def walls_of(*outlines: ArrayLike) -> Walls:
+    """Return the walls between the corners of closed outlines."""
+    rings = [np.array(each, dtype=float) for each in outlines]
+    walls = [np.stack((each, np.roll(each, -1, axis=0)), axis=1) for each in rings]
+    return np.concatenate(walls)
+
+
+WALLS = walls_of(CORRIDOR)
 
 
 class PointBody:
     """Implements `SensorsAndMotion`."""
 
-    def __init__(self, corners: tuple[tuple[float, float], ...] = CORRIDOR) -> None:
-        """Stand in the west end and face east."""
-        self.pose, self.time, self.speed = Pose(1.0, 0.0, 0.0), 0.0, 0.0
-        self.corners = np.array(corners, dtype=float)
+    def __init__(self, walls: Walls = WALLS, pose: Pose = WEST_END) -> None:
+        """Stand somewhere between walls."""
+        self.pose, self.time, self.speed, self.walls = pose, 0.0, 0.0, walls
         self.angles = np.linspace(-math.pi, math.pi, 360, endpoint=False)
 
     def odometry(self) -> OdometryReading:
@@ -62,8 +79,8 @@ class PointBody:
         """Return how far it is to a wall along each angle, seen from the robot."""
         here, heading = np.array(self.pose[:2]), self.pose.heading
         ray = np.stack([np.cos(angles + heading), np.sin(angles + heading)])
-        start = self.corners - here
-        wall = np.roll(start, -1, axis=0) - start
+        start = self.walls[:, 0] - here
+        wall = self.walls[:, 1] - self.walls[:, 0]
         sine = np.outer(wall[:, 1], ray[0]) - np.outer(wall[:, 0], ray[1])
         with np.errstate(divide="ignore", invalid="ignore"):
             along = (start[:, :1] * wall[:, 1:] - start[:, 1:] * wall[:, :1]) / sine
@@ -72,6 +89,26 @@ class PointBody:
             ) / sine
         hit = (along > 0) & (share >= 0) & (share <= 1)
         return np.where(hit, along, np.inf).min(axis=0)
+
+
+class PointBodyInSite(PointBody):
+    """The same between the walls of a building, where it also knows its place."""
+
+    def pose_in_site(self) -> Pose:
+        """Return where it is on the plan, by which walks are measured."""
+        return self.pose
+
+
+def in_site(
+    site: mm.Site, start: Pose, settings: SimulationSettings, rng: np.random.Generator
+) -> PointBodyInSite:
+    """Make the body of an episode: what `--robot examples/own_robot.py:in_site` calls."""
+    rings = [
+        np.array(ring.coords)[:-1]
+        for part in shapely.get_parts(site.walkable_floor)
+        for ring in (part.exterior, *part.interiors)
+    ]
+    return PointBodyInSite(walls_of(*rings), start)
 
 
 def walk_round_the_corner(robot: mm.Robot) -> None:

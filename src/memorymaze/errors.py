@@ -82,6 +82,10 @@ class UndefinedMetricError(MemoryMazeError):
     """A metric is undefined on this input (empty or disconnected paths)."""
 
 
+class RobotBodyError(MemoryMazeError):
+    """A robot's body cannot be had, or does not do what it is told."""
+
+
 class DetectorError(MemoryMazeError):
     """A detector or reader of signs did not answer, or its answer cannot be used."""
 

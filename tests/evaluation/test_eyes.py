@@ -82,13 +82,13 @@ def test_eyes_that_cannot_be_had_are_found_out_before_the_run(tmp_path: Path):
 
 def test_notes_say_which_eyes_a_run_had():
     plan = plan_run(AgentSettings("stop"), settings=RunSettings(limit=1))
-    assert not [*sense_notes(plan.settings)]
+    assert not [*sense_notes(plan.settings, [])]
 
     wrong = plan_run(
         AgentSettings("stop"),
         settings=RunSettings(limit=1, detector=parse_detector("truth:miss=0.3")),
     )
-    [note] = sense_notes(wrong.settings)
+    [note] = sense_notes(wrong.settings, [])
     assert "DETECTOR truth:miss=0.3" in note
 
 

@@ -52,7 +52,7 @@ def test_every_other_end_has_words_of_its_own(result: Make, end: str) -> None:
 
 
 def test_a_run_that_sees_further_than_usual_says_how_far() -> None:
-    assert not [*sense_notes(RunSettings())]
+    assert not [*sense_notes(RunSettings(), [])]
     further = SimulationSettings(detection_range=40.0)
-    [note] = sense_notes(RunSettings(simulation=further))
+    [note] = sense_notes(RunSettings(simulation=further), [])
     assert note == "things are detected up to 40 m away"

@@ -48,6 +48,7 @@ OTHERS = {
     "replay": "earlier replies.store",
     "request_timeout": "30",
     "retries": "0",
+    "robot": "examples/own_robot.py:in_site",
     "rolling_speed": "0.25",
     "sampling_period": "0.5",
     "second_telling": "true",
@@ -151,7 +152,7 @@ def test_the_settings_of_a_run_are_a_file_that_gives_the_same(
         *(
             part
             for name, text in OTHERS.items()
-            if name != "motion"  # refused beside obstacles
+            if name not in {"motion", "robot"}  # refused beside obstacles
             for part in ("--with", f"{name}={text}")
         )
     )

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from gymnasium.error import ResetNeeded
 from gymnasium.utils.env_checker import check_env
+from tests.evaluation import own_bodies
 
 from memorymaze.errors import InstructionFileError, SettingsError
 from memorymaze.evaluation.settings import RunSettings
@@ -255,6 +256,19 @@ def test_settings_of_a_run_act_in_an_environment_too(make_tiny: MakeTiny) -> Non
     assert env.unwrapped.settings.obstacles.people == 0
     assert told["stopped_by"] == "budget"
     assert told["time"] == pytest.approx(1, abs=0.2)
+
+
+def test_a_body_of_ones_own_is_driven_and_put_away(make_tiny: MakeTiny) -> None:
+    robot = f"{own_bodies.__name__}:Localised"
+    env = make_tiny("loop", settings={"robot": robot}, privileged=True)
+    _, before = env.reset(seed=1)
+    after = env.step(AHEAD)[4]
+    moved = math.dist(before["pose"][:2], after["pose"][:2])
+    assert moved == pytest.approx(0.25, abs=0.03)
+    env.reset(seed=2)
+    assert [each.closed for each in own_bodies.opened[-2:]] == [1, 0]
+    env.close()
+    assert own_bodies.opened[-1].closed == 1
 
 
 def test_it_draws_what_the_camera_sees_and_closes_twice(make_tiny: MakeTiny) -> None:

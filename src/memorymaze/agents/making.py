@@ -102,14 +102,14 @@ def agent_recipe(
     return AgentRecipe(name, maker, given, options, needs, handed_over)
 
 
-def checked_options(name: str, agent: object) -> type | None:
+def checked_options(name: str, agent: object, role: str = "agent") -> type | None:
     """Return the dataclass of an agent's options: its attribute `Options`, if any."""
     options = getattr(agent, "Options", None)
     if options is not None and not (
         isinstance(options, type) and is_dataclass(options)
     ):
         raise SettingsError(
-            f"agent {name!r}: expected `Options` to be a dataclass, got {options!r}"
+            f"{role} {name!r}: expected `Options` to be a dataclass, got {options!r}"
         )
     return options
 
@@ -126,19 +126,22 @@ def checked_needs(name: str, agent: object) -> frozenset[Need]:
     return cast(frozenset[Need], frozenset(declared))
 
 
-def find_agent(name: str) -> Any:
-    """Return what `module:Class` or `file.py:Class` names; it can be called."""
+def find_agent(name: str, role: str = "agent") -> Any:
+    """Return what `module:Class` or `file.py:Class` names; it can be called.
+
+    Messages say which role it is to play.
+    """
     place, _, attribute = name.rpartition(":")
     try:
         module = _load(place)
     except (Exception, SystemExit) as error:
         raise SettingsError(
-            f"agent {name!r}: {place!r} cannot be imported ({failure_line(error)})"
+            f"{role} {name!r}: {place!r} cannot be imported ({failure_line(error)})"
         ) from error
     factory = getattr(module, attribute, None)
     if not callable(factory):
         raise SettingsError(
-            f"agent {name!r}: expected {place!r} to have a class {attribute!r}, got "
+            f"{role} {name!r}: expected {place!r} to have a class {attribute!r}, got "
             f"{'nothing of this name' if factory is None else repr(factory)}"
         )
     return factory

@@ -88,6 +88,11 @@ def _run(options: argparse.Namespace) -> None:
         else {site.name: site for site in map(load_site, options.site)}
     )
     settings = one_episode_settings(options)
+    if settings.robot is not None:
+        raise SettingsError(
+            "--robot: the page to try shows the simulated robot alone; leave it out, or see "
+            "memorymaze navigate"
+        )
     if settings.passers_by not in SHOWN_PEOPLE:
         raise SettingsError(
             f"passers_by: expected one of {', '.join(SHOWN_PEOPLE)} on this page, got "

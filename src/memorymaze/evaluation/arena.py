@@ -6,6 +6,7 @@ from functools import cached_property, partial
 import numpy as np
 
 from memorymaze.agents.agent import Need
+from memorymaze.evaluation.bodies import BodyMaker, find_body
 from memorymaze.evaluation.results import FinishedWalk
 from memorymaze.evaluation.seeds import obstacle_generator
 from memorymaze.evaluation.settings import AgentSettings, RunDefinition, RunSettings
@@ -40,12 +41,14 @@ class Arena:
         looks: Looks | None = None,
         people_model: LanguageModel | None = None,
         make_robot: Callable[..., SimulatedRobot] = SimulatedRobot,
+        body: BodyMaker | None = None,
     ) -> None:
         """Stand for a site; nothing is built yet.
 
         Without eyes, detector and reader of signs know the truth; without looks, things look
         like models where they were converted; without a model, people one can ask find
-        their words elsewhere. Robots are made by `make_robot`, with what `robot` tells it.
+        their words elsewhere. Robots are made by `make_robot`, with what `robot` tells it,
+        and have the simulated body or those that `body` makes.
         """
         self.site = site
         self.obstacles = obstacles
@@ -53,6 +56,7 @@ class Arena:
         self.looks: Looks | None = looks
         self.people_model = people_model
         self._make_robot = make_robot
+        self._body = body
 
     @cached_property
     def scene(self) -> Scene:
@@ -77,11 +81,16 @@ class Arena:
         on_event: Callable[[TraceEvent], None],
         detector_rng: np.random.Generator | None = None,
     ) -> SimulatedRobot:
-        """Put a robot at the start of an episode.
+        """Put a robot at the start of an episode; the caller closes it.
 
         Without a generator of its own, the detector's mistakes are seeded with 0.
+
+        Raises:
+            RobotBodyError: Its body cannot be had.
         """
-        placing = None
+        body, placing = None, None
+        if self._body is not None:
+            body = self._body.make(self.site, episode.start, settings, rng)
         if self.obstacles is not None:
             placing = obstacle_generator(self.obstacles.seed, episode.id)
         return self._make_robot(
@@ -97,6 +106,7 @@ class Arena:
             obstacles_rng=placing,
             keep_free=episode.reference_path,
             cameras=partial(robot_cameras, looks=self.looks),
+            body=body,
         )
 
     def finished(
@@ -116,8 +126,9 @@ def arenas_of(settings: RunDefinition, sites: Mapping[str, Site]) -> dict[str, A
     """Return the arenas of a run, where this machine has what they need."""
     eyes = checked_eyes(settings)
     people = model_of_people(settings, settings.agent)
+    body = find_body(settings.robot)
     return {
-        name: Arena(site, settings.obstacles, eyes, settings.looks, people)
+        name: Arena(site, settings.obstacles, eyes, settings.looks, people, body=body)
         for name, site in sites.items()
     }
 

@@ -5,6 +5,7 @@ Whatever the agent does, there is a result; nothing it raises gets out of here.
 
 import time
 from collections.abc import Callable, Sequence
+from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from typing import Any, NamedTuple, Protocol, cast
 
@@ -101,9 +102,11 @@ def run_episode(
         KeyboardInterrupt: Passed on.
         SpendingLimitReached: Passed on; an episode that is broken off has no result.
     """
-    run = _attempt(agent, episode, arena, settings, watcher, captions)
+    with ExitStack() as held:
+        run = _attempt(agent, episode, arena, settings, watcher, captions, held)
     if run.interpreter_lost:
-        run = _attempt(agent, episode, arena, settings, watcher, captions)
+        with ExitStack() as held:
+            run = _attempt(agent, episode, arena, settings, watcher, captions, held)
     return run
 
 
@@ -114,7 +117,9 @@ def _attempt(
     settings: RunDefinition,
     watcher: Watcher | None,
     captions: VisionCaptions | None,
+    held: ExitStack,
 ) -> EpisodeRun:
+    """Run it once; what `held` holds is let go of by the caller."""
     seeds = seeds_of(settings.seed, episode.id)
     way = arena.site.route(episode.instruction.reference_route)
     destination = None if settings.ask is None else way.goal
@@ -134,6 +139,7 @@ def _attempt(
         lambda event: tell(call_entry(event)),
         seeds.detector,
     )
+    held.callback(robot.close)
     people = None
     if settings.ask is not None and destination is not None:
         people = Encounters(
@@ -168,6 +174,9 @@ def _attempt(
         seeds.agent,
     )
     wall_s = time.perf_counter() - began
+    if robot.lost is not None:
+        # Whatever the agent made of it.
+        ended, error = "crash", robot.lost
     walk = robot.trajectory()
     trace += surroundings_entries(robot)
     trace += closing_entries(robot, walk, ended, error)
@@ -216,6 +225,7 @@ def _attempt(
         strangers_s=strangers_s,
         strangers_tokens=sum(each.tokens for each in asked),
         strangers_cost_usd=sum(each.cost_usd for each in asked),
+        by_odometry=robot.tells_by_odometry,
         answers_left_m=tuple(
             round(float(metres), 3)
             for metres in finished.distances_to_goal([each.place for each in asked])
@@ -243,6 +253,8 @@ def _follow(
     """Let the agent follow; return what ended the episode and what went wrong."""
     try:
         agent.follow(text, handed(), journal, rng)
+        # A body that died under an agent that caught it does not come to rest either.
+        return _Ending(_as_robot_says(robot))
     except (KeyboardInterrupt, SpendingLimitReached):
         raise
     except EpisodeOver as over:
@@ -259,7 +271,6 @@ def _follow(
             failure_line(problem, agent),
             isinstance(problem, InterpreterLostError),
         )
-    return _Ending(_as_robot_says(robot))
 
 
 def _outcome(problem: BaseException) -> StoppedBy:

@@ -67,6 +67,8 @@ def method_label(settings: RunDefinition, results: Iterable[EpisodeResult]) -> s
         name += ", turning points by LiDAR"
     if settings.simulation.motion == "kinematic":
         name += ", kinematic"
+    if settings.robot is not None:
+        name += f", on {settings.robot.label}"
     if settings.detector != TRUTH:
         name += f", {settings.detector.short_name}"
     if settings.signs != "truth":
@@ -99,8 +101,23 @@ def followed_words(settings: RunDefinition, results: Sequence[EpisodeResult]) ->
     return f"{counted(len(results), 'episode')}; instructions ({files}): {written}"
 
 
-def sense_notes(settings: RunSettings) -> Iterator[str]:
-    """Say with which senses a run is made, where they are not those that know it all."""
+def sense_notes(
+    settings: RunSettings, results: Iterable[EpisodeResult]
+) -> Iterator[str]:
+    """Say with which body and senses a run is made, where they are not the usual ones."""
+    if settings.robot is not None:
+        drifts = any(result.by_odometry for result in results)
+        how = (
+            "BY ITS ODOMETRY from the start on, which may drift, and are not comparable "
+            "with others"
+            if drifts
+            else "by the pose on the plan that it tells"
+        )
+        yield (
+            f"ROBOT {settings.robot}, not the simulated one: walks are measured {how}; "
+            "collisions are not counted, and the detector that knows the truth sees what the "
+            "plan has."
+        )
     if settings.simulation.turning_points == "lidar":
         yield "TURNING POINTS BY LIDAR (scans and odometry), not from the site plan."
     if settings.simulation.motion == "kinematic":
@@ -226,7 +243,7 @@ def result_lines(
         lines.append(
             f"{sum(errors.values())} ended with an error, {count} of them with: {error}"
         )
-    lines += [*sense_notes(settings), *track_notes(settings)]
+    lines += [*sense_notes(settings, results), *track_notes(settings)]
     if settings.obstacles is not None:
         lines.append(safety_words(results))
     return [*lines, *amount_lines(settings, results)]

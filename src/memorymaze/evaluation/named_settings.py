@@ -15,6 +15,7 @@ from dataclasses import dataclass, fields, replace
 from typing import Any, TypeVar
 
 from memorymaze.errors import SettingsError, did_you_mean
+from memorymaze.evaluation.bodies import options_of_body, parse_body
 from memorymaze.evaluation.settings import RunSettings
 from memorymaze.input_files import field_lines, parse_toml, read_text, shown
 from memorymaze.language.model_settings import ModelSettings
@@ -87,7 +88,7 @@ def run_settings(base: RunSettings, given: Iterable[GivenSetting]) -> RunSetting
 
     Later ones win. SettingsError says what is no setting, or has no meaning, and where.
     """
-    listed = list(given)
+    listed = with_robot_options(given)
     simulation = _values_of(SimulationSettings, listed)
     values = _values_of(RunSettings, listed)
     if simulation:
@@ -96,11 +97,26 @@ def run_settings(base: RunSettings, given: Iterable[GivenSetting]) -> RunSetting
     return _changed(base, values, listed)
 
 
+def with_robot_options(given: Iterable[GivenSetting]) -> list[GivenSetting]:
+    """Return settings where options of the robot's body stand behind its name."""
+    listed = list(given)
+    named = [each for each in listed if each.name == "robot"]
+    robot = named[-1] if named else None
+    if robot is None or not isinstance(robot.value, str) or robot.value == "none":
+        return listed
+    known = options_of_body(parse_body(robot.value)) - SETTINGS.keys()
+    told = [
+        f"{each.name}={as_given(each.value)}" for each in listed if each.name in known
+    ]
+    others = [each for each in listed if each.name not in known and each is not robot]
+    return [*others, replace(robot, value=",".join([robot.value, *told]))]
+
+
 def model_settings(
     given: Iterable[GivenSetting], base: ModelSettings | None = None
 ) -> ModelSettings:
     """Return settings of a language model with what was given, without all others."""
-    listed = list(given)
+    listed = with_robot_options(given)
     return _changed(base or ModelSettings(), _values_of(ModelSettings, listed), listed)
 
 

@@ -12,6 +12,7 @@ from memorymaze.evaluation.agent_catalogue import (
     choose_agent,
 )
 from memorymaze.evaluation.arena import checked_eyes, looks_of_run
+from memorymaze.evaluation.bodies import find_body
 from memorymaze.evaluation.budgets import time_budget_for
 from memorymaze.evaluation.named_settings import with_choices
 from memorymaze.evaluation.people_to_ask import check_people
@@ -63,6 +64,7 @@ def plan_run(
         corpus = load_corpus()
     settings = settings or settings_for(corpus)
     checked_eyes(settings)
+    body = find_body(settings.robot)
     chosen_agent = choose_agent(agent, language_model)
     if not corpus.start_heading_is_told:
         chosen_agent = chosen_agent.with_defaults(start_heading="unknown")
@@ -90,6 +92,7 @@ def plan_run(
         told_once=told_once,
         answers=_answers_taken(chosen_agent, ready, chosen),
         agent_files=chosen_agent.files(),
+        robot_files=() if body is None else body.files(),
         option_values=chosen_agent.option_values(ready.agent),
     )
     return RunPlan(definition, part, sites, chosen_agent, ready)
@@ -111,7 +114,8 @@ def define_run(
         budget = time_budget_for(needs, routes, settings.simulation)
     chosen = {each.name: getattr(settings, each.name) for each in fields(RunSettings)}
     chosen["simulation"] = replace(settings.simulation, time_budget=budget)
-    chosen["looks"] = looks_of_run(agent, needs, settings)
+    drawn = settings.robot is None
+    chosen["looks"] = looks_of_run(agent, needs, settings) if drawn else None
     return RunDefinition(
         **chosen,
         agent=agent,

@@ -308,6 +308,9 @@ class EpisodeResult:
     """Of the language model that played passers-by; apart from the agent's `tokens`."""
     strangers_cost_usd: Annotated[FiniteFloat, Measure(is_amount=True)] = 0.0
     """What that cost; apart from the agent's `cost_usd`."""
+    by_odometry: bool = False
+    """Whether the walk is as the odometry of a body of a user's own tells it, which may
+    drift; else it is where the robot truly was."""
     answers_left_m: tuple[FiniteFloat, ...] = ()
     """Shortest walk left to the goal when each answer came, metres."""
 

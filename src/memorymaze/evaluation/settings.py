@@ -7,6 +7,7 @@ from typing import Any, Literal
 
 from memorymaze.agents.agent import Need
 from memorymaze.errors import SettingsError
+from memorymaze.evaluation.bodies import BodySettings, parse_body
 from memorymaze.input_files import FileStamp
 from memorymaze.language.model_settings import NOT_COMPARED as MODEL_NOT_COMPARED
 from memorymaze.language.model_settings import ModelSettings
@@ -168,6 +169,12 @@ class RunSettings:
     """with ask: how people answer: memory, with the errors of memory; as a control wrong,
     all of them, or empty, as nobody knows anything; model, the model of --model says what
     they remember"""
+    robot: BodySettings | None = field(
+        default=None, metadata={"metavar": "NAME", "reader": parse_body}
+    )
+    """whose body: carla, or module:factory, file.py:factory; its options stand behind it
+    (NAME,OPTION=VALUE) or are given with --with; the simulated one where none is given
+    (docs/other_robots.md)"""
     detector: DetectorSettings = field(
         default=TRUTH, metadata={"reader": parse_detector}
     )
@@ -201,6 +208,7 @@ class RunSettings:
         check_word("budget_by", self.budget_by, BudgetBy)
         check_word("passers_by", self.passers_by, PassersBy)
         self._check_asking()
+        self._check_body()
         self.simulation.check_motion(as_in_plan=self.obstacles is None)
         check_word("signs", self.signs, SignSource)
         if self.looks is not None:
@@ -212,6 +220,24 @@ class RunSettings:
         if self.ask is not None:
             return "people"
         return "default" if self.obstacles is None else "obstacles"
+
+    def _check_body(self) -> None:
+        """Refuse what is of the simulated body where there is another one."""
+        if self.robot is None:
+            return
+        motion, plain = self.simulation, SimulationSettings()
+        of_simulation = {
+            "obstacles": self.obstacles is not None,
+            "motion": motion.motion != plain.motion,
+            "wheel_noise": motion.wheel_noise != plain.wheel_noise,
+            "looks": self.looks is not None,
+        }
+        for name, is_given in of_simulation.items():
+            if is_given:
+                raise SettingsError(
+                    f"{name}: is of the simulated robot and its building, and --robot "
+                    f"{self.robot.name} has its own; leave one of them out"
+                )
 
     def _check_asking(self) -> None:
         """See that there are people to ask, the usual ones where nobody says which."""
@@ -243,6 +269,8 @@ class RunDefinition(RunSettings):
     """What the agent declares that it needs, sorted."""
     agent_files: tuple[FileStamp, ...] = ()
     """Of an agent of a user's own: its file and those beside it that it imports."""
+    robot_files: tuple[FileStamp, ...] = ()
+    """The same of a robot's body."""
     option_values: tuple[tuple[str, str], ...] = ()
     """All options of the agent as it has them, also those that nobody gave."""
     instructions: tuple[FileStamp, ...]
@@ -283,7 +311,7 @@ class Difference:
     """A setting that two runs do not share; in text `seed: 0 there, 1 here`."""
 
     kind: str
-    """`site`, `agent file` or `agent option`; else the field of `RunDefinition`."""
+    """`site`, `agent file`, `robot file` or `agent option`; else the field of `RunDefinition`."""
     name: str
     there: Any
     """None where that run does not have it."""
@@ -325,10 +353,12 @@ def _flat(
         elif name == "sites":
             for stamp in part:
                 yield "site", f"site {stamp['name']}", stamp["sha256"][:12]
-        elif name == "agent_files":
+        elif name in {"agent_files", "robot_files"}:
+            kind = name.partition("_")[0]
             for stamp in part:
-                yield "agent file", f"agent.file {stamp['name']}", stamp["sha256"][:12]
-        elif name in {"options", "option_values"}:
+                told = f"{kind}.file {stamp['name']}"
+                yield f"{kind} file", told, stamp["sha256"][:12]
+        elif name in {"options", "option_values"} and not isinstance(part, str):
             for option, given in part:
                 told = f"agent.options.{option.replace('-', '_')}"
                 yield "agent option", told, given

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from memorymaze.errors import EpisodeOver, SettingsError, did_you_mean
 from memorymaze.evaluation.arena import Arena
+from memorymaze.evaluation.bodies import BodySettings, find_body
 from memorymaze.evaluation.named_settings import with_choices
 from memorymaze.evaluation.settings import RunSettings
 from memorymaze.gym.actions import ActionSet, action_set, most_steps
@@ -40,13 +41,12 @@ ENVIRONMENTS: dict[str, str | None] = {
 """Site of each environment; None where the user gives it as `site=`."""
 
 
-def _arena(
-    site: str | Path, obstacles: ObstacleSettings | None, looks: Looks | None
-) -> Arena:
+def _arena(site: str | Path, settings: RunSettings) -> Arena:
     """Return a site made ready; environments of one process share it."""
+    chosen = settings.obstacles, settings.looks, settings.robot
     with suppress(OSError, TypeError):
-        return _arena_as_of(site, Path(site).stat().st_mtime_ns, obstacles, looks)
-    return _arena_as_of(site, 0, obstacles, looks)
+        return _arena_as_of(site, Path(site).stat().st_mtime_ns, *chosen)
+    return _arena_as_of(site, 0, *chosen)
 
 
 @lru_cache(maxsize=4)
@@ -55,8 +55,9 @@ def _arena_as_of(
     changed: int,
     obstacles: ObstacleSettings | None,
     looks: Looks | None,
+    robot: BodySettings | None,
 ) -> Arena:
-    return Arena(load_site(site), obstacles, looks=looks)
+    return Arena(load_site(site), obstacles, looks=looks, body=find_body(robot))
 
 
 class NavigationEnvironment(gymnasium.Env[Observation, Any]):
@@ -99,8 +100,8 @@ class NavigationEnvironment(gymnasium.Env[Observation, Any]):
             max_steps: Steps after which an episode is truncated; None for three times
                 what a perfect follower of the site's longest route needs.
             settings: As of a run, or some of them by name: `split`,
-                `success_distance`, `time_budget`, `obstacles`, `looks` and what the robot
-                can do.
+                `success_distance`, `time_budget`, `obstacles`, `looks`, `robot` (a body
+                of your own) and what the robot can do.
             privileged: Whether `info` tells pose, goal and distance to it all along.
             render_mode: None or `rgb_array`.
 
@@ -115,7 +116,7 @@ class NavigationEnvironment(gymnasium.Env[Observation, Any]):
         self.render_mode = render_mode
         self.privileged = privileged
         self.settings = _settings_of_an_environment(settings)
-        self._arena = _arena(site, self.settings.obstacles, self.settings.looks)
+        self._arena = _arena(site, self.settings)
         plan = self._arena.site
         self._episodes = choose_episodes(
             plan, instructions, route=route, study=study, split=self.settings.split
@@ -224,15 +225,18 @@ class NavigationEnvironment(gymnasium.Env[Observation, Any]):
         if self.render_mode is None:
             return None
         robot, senses = self._begun()
-        frame = robot.camera_frame(senses.width, senses.height, senses.horizontal_fov)
-        return frame.rgb
+        view = robot.camera_view()
+        return view.picture(senses.width, senses.height, senses.horizontal_fov).rgb
 
     def close(self) -> None:
         """Let go of the robot; can be called again."""
+        if self._robot is not None:
+            self._robot.close()
         self._robot = None
         self._is_over = True
 
     def _begin(self, episode: Episode, rng: np.random.Generator) -> None:
+        self.close()
         self._episode = episode
         self._robot = self._arena.robot(
             episode, self._abilities, rng, lambda event: None

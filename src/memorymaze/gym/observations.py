@@ -89,7 +89,8 @@ class Senses:
         """Return what is perceived from where the robot is."""
         seen: dict[str, Any] = {"instruction": instruction}
         if "rgb" in self.sensors or "depth" in self.sensors:
-            frame = robot.camera_frame(self.width, self.height, self.horizontal_fov)
+            view = robot.camera_view()
+            frame = view.picture(self.width, self.height, self.horizontal_fov)
             if "rgb" in self.sensors:
                 seen["rgb"] = frame.rgb
             if "depth" in self.sensors:

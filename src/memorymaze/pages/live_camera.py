@@ -19,7 +19,7 @@ BEARINGS = (math.pi, math.pi / 2, 0.0, -math.pi / 2)
 
 def seen_ahead(robot: SimulatedRobot) -> bytes:
     """Return what the camera sees now, as a JPEG."""
-    return Picture.of_pixels(robot.camera_frame(*SIZE).rgb, quality=QUALITY).data
+    return Picture.of_pixels(_picture(robot), quality=QUALITY).data
 
 
 def seen_all_round(robot_facing: Callable[[float], SimulatedRobot]) -> bytes:
@@ -40,4 +40,8 @@ def _on_cylinder(robot: SimulatedRobot) -> NDArray[np.uint8]:
     columns = np.broadcast_to(FOCAL * np.tan(angles), rows.shape)
     down = np.clip(np.rint(height / 2 + rows), 0, height - 1).astype(np.intp)
     right = np.clip(np.rint(width / 2 + columns), 0, width - 1).astype(np.intp)
-    return robot.camera_frame(*SIZE).rgb[down, right]
+    return _picture(robot)[down, right]
+
+
+def _picture(robot: SimulatedRobot) -> NDArray[np.uint8]:
+    return robot.camera_view().picture(*SIZE).rgb

@@ -1,13 +1,13 @@
 """`SimulatedBody`: what moves and measures in a simulated building, and what that leaves.
 
-It is driven and read through `SensorsAndMotion`, as any robot's body. What only a simulation
-knows of it besides is for the evaluation: the true pose, collisions, the trajectory.
+It is driven and read through `SensorsAndMotion`, as any robot's body. What is known of it
+besides is for the evaluation: the true pose, collisions, the trajectory.
 """
 
 import math
+from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
@@ -24,8 +24,9 @@ from memorymaze.simulation.obstacles.surroundings import ObstacleSurroundings
 from memorymaze.simulation.scene import Scene
 from memorymaze.simulation.senses.lidar import Lidar, LidarSettings
 from memorymaze.simulation.senses.odometry import Odometry, OdometrySettings
-from memorymaze.simulation.senses.visibility import RayCamera
+from memorymaze.simulation.senses.visibility import RayCamera, camera_elsewhere
 from memorymaze.simulation.settings import TIMESTEP, SimulationSettings
+from memorymaze.steering.turning_points import LidarTurningPoints
 
 SAME_TOUCH = 1.0
 """Seconds within which touching the same thing again is the same collision."""
@@ -62,8 +63,98 @@ def base_for(
     return WheeledBase(scene.model, start, settings, rng, tangible)
 
 
-class SimulatedBody:
-    """The robot's body in one episode; implements `SensorsAndMotion`."""
+class BodyInSite(ABC):
+    """A body in a building that has a plan, in one episode; a `SensorsAndMotion`."""
+
+    localised = True
+    """Whether odometry tells where it is in the building."""
+    surroundings: ObstacleSurroundings | None = None
+    """What there is beyond the plan; None for nothing, which costs nothing."""
+
+    def __init__(self, scene: Scene, start: Pose, settings: SimulationSettings) -> None:
+        """Begin to keep where it goes."""
+        self.scene = scene
+        """The building it is in."""
+        self.pose = start
+        """Where it really is, as far as anybody knows."""
+        self.collisions: list[Collision] = []
+        self.on_motion: Callable[[float, Pose], None] | None = None
+        """Called with time and pose after each motion; must change nothing."""
+        self._samples = [TimedPose(0.0, *start)]
+        self._sampling_period = settings.sampling_period
+        self._sample_due = settings.sampling_period
+
+    @property
+    @abstractmethod
+    def time(self) -> float:
+        """Seconds by its clock since the start."""
+
+    @property
+    @abstractmethod
+    def cameras(self) -> RobotCameras:
+        """What draws its pictures."""
+
+    @abstractmethod
+    def odometry(self) -> OdometryReading:
+        """See `SensorsAndMotion.odometry`."""
+
+    @abstractmethod
+    def drive(self, speed: float, turn_rate: float, seconds: float) -> None:
+        """See `SensorsAndMotion.drive`."""
+
+    @abstractmethod
+    def lidar_scan(self) -> LidarScan:
+        """See `SensorsAndMotion.lidar_scan`."""
+
+    @abstractmethod
+    def camera_picture(
+        self, width: int = 640, height: int = 480, horizontal_fov: float = math.pi / 2
+    ) -> CameraPicture:
+        """See `SensorsAndMotion.camera_picture`."""
+
+    @abstractmethod
+    def rest(self, seconds: float) -> None:
+        """Let time pass for a robot at rest where nothing moves."""
+
+    @abstractmethod
+    def touches_ahead(self, course: float) -> bool:
+        """Whether it touches something in its way."""
+
+    @abstractmethod
+    def camera_view(self) -> CameraView:
+        """Return what the camera truly sees."""
+
+    @abstractmethod
+    def view_from(self, pose: Pose) -> CameraView:
+        """Return what the camera would see now if the robot were elsewhere."""
+
+    @abstractmethod
+    def lidar_turning_points(self, start: Pose) -> LidarTurningPoints:
+        """Return turning points that its scans and its odometry tell of."""
+
+    def sample(self) -> None:
+        """Add the present pose to the trajectory."""
+        if self._samples[-1].time < self.time:
+            self._samples.append(TimedPose(self.time, *self.pose))
+        self._sample_due = self.time + self._sampling_period
+
+    def trajectory(self) -> Trajectory:
+        """Return the poses so far."""
+        return Trajectory(self._samples)
+
+    def close(self) -> None:
+        """Let go of what the body holds; a simulated one holds nothing."""
+        return
+
+    def _has_moved(self) -> None:
+        if self.time >= self._sample_due - 1e-9:
+            self.sample()
+        if self.on_motion is not None:
+            self.on_motion(self.time, self.pose)
+
+
+class SimulatedBody(BodyInSite):
+    """The robot's body that the physics engine moves."""
 
     def __init__(
         self,
@@ -83,27 +174,17 @@ class SimulatedBody:
         where it is in the building; another one has its wheels' odometry alone, from the
         start pose on.
         """
-        self.scene = scene
-        """The building it is in."""
+        super().__init__(scene, start, settings)
         self.base = base_for(scene, start, settings, rng)
         self.pose = self.base.pose
-        """Where it really is."""
-        self.surroundings: ObstacleSurroundings | None = None
-        """What there is beyond the plan; None for nothing, which costs nothing."""
-        self.collisions: list[Collision] = []
-        self.on_motion: Callable[[float, Pose], None] | None = None
-        """Called with time and pose after each motion; must change nothing."""
         lidar_rng, odometry_rng = rng.spawn(2)
         self.lidar = Lidar(scene, self.base.data, lidar, lidar_rng)
         """Its LiDAR, which can measure from elsewhere as well."""
         self.wheel_odometry = Odometry(start, odometry, odometry_rng)
         """Where it would believe it is by its wheels."""
         self.localised = localised
-        """Whether odometry tells where it is in the building."""
         self._camera_maker = cameras
-        self._samples = [TimedPose(0.0, *start)]
-        self._sampling_period = settings.sampling_period
-        self._sample_due = settings.sampling_period
+        self._cameras: RobotCameras | None = None
         self._touches: dict[int, float] = {}
         self._look: tuple[tuple[float, Pose], RayCamera] | None = None
         """When and where the camera looked last, and what it sees there."""
@@ -132,10 +213,7 @@ class SimulatedBody:
         touched = base.touched_geoms()
         if touched:
             self._note_touches(touched)
-        if base.time >= self._sample_due - 1e-9:
-            self.sample()
-        if self.on_motion is not None:
-            self.on_motion(base.time, pose)
+        self._has_moved()
 
     def lidar_scan(self) -> LidarScan:
         """See `SensorsAndMotion.lidar_scan`."""
@@ -157,16 +235,6 @@ class SimulatedBody:
         """
         self.base.rest(round(seconds / TIMESTEP))
 
-    def sample(self) -> None:
-        """Add the present pose to the trajectory."""
-        if self._samples[-1].time < self.time:
-            self._samples.append(TimedPose(self.time, *self.pose))
-        self._sample_due = self.time + self._sampling_period
-
-    def trajectory(self) -> Trajectory:
-        """Return the poses so far."""
-        return Trajectory(self._samples)
-
     def touches_ahead(self, course: float) -> bool:
         """Whether it touches something in its way."""
         ahead_x, ahead_y = math.cos(course), math.sin(course)
@@ -185,15 +253,26 @@ class SimulatedBody:
             self._look = (moment, camera)
         return self._look[1]
 
-    @cached_property
+    def view_from(self, pose: Pose) -> CameraView:
+        """See `BodyInSite.view_from`."""
+        return camera_elsewhere(self.scene, self.base.data, pose)
+
+    def lidar_turning_points(self, start: Pose) -> LidarTurningPoints:
+        """See `BodyInSite.lidar_turning_points`."""
+        return LidarTurningPoints(self.lidar.scan, start, self.wheel_odometry.update)
+
+    @property
     def cameras(self) -> RobotCameras:
         """What draws its pictures."""
+        if self._cameras is not None:
+            return self._cameras
         if self._camera_maker is None:
             raise RenderingError(
                 "expected a robot with cameras, got one made without; give "
                 "SimulatedRobot cameras=memorymaze.pictures.robot_cameras"
             )
-        return self._camera_maker(self.scene, self.base.data)
+        self._cameras = self._camera_maker(self.scene, self.base.data)
+        return self._cameras
 
     def _note_touches(self, geoms: list[int]) -> None:
         for geom in sorted(set(geoms)):

@@ -5,7 +5,7 @@ from typing import Literal
 
 from memorymaze.geometry.points import XY
 from memorymaze.geometry.pose import Pose
-from memorymaze.simulation.body import SimulatedBody
+from memorymaze.simulation.body import BodyInSite
 from memorymaze.simulation.motion.clearance import Clearance
 from memorymaze.steering.floor import StraightWay, Surroundings
 from memorymaze.steering.turning_points import TurningPointSource
@@ -19,7 +19,7 @@ class PlanFloor:
 
     horizon = math.inf
 
-    def __init__(self, body: SimulatedBody, turning_points: TurningPointSource) -> None:
+    def __init__(self, body: BodyInSite, turning_points: TurningPointSource) -> None:
         """Know the building of a body."""
         self._body = body
         self._ways = body.scene.straight_ways

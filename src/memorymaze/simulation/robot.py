@@ -1,4 +1,4 @@
-"""`SimulatedRobot`: the guide robot in a simulated building, with what the evaluation asks."""
+"""`SimulatedRobot`: the guide robot in a building, with what the evaluation asks."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -14,23 +14,24 @@ from memorymaze.perception.detector import Detector, TruthDetector
 from memorymaze.perception.sign_reading import SignReader, TruthSignReader
 from memorymaze.robot.api import MoveEnd, MoveResult
 from memorymaze.robot.asking import Question, seconds_to_say
-from memorymaze.simulation.body import Collision, SimulatedBody
+from memorymaze.robot.sensors_and_motion import SensorsAndMotion
+from memorymaze.simulation.body import BodyInSite, Collision, SimulatedBody
 from memorymaze.simulation.cameras import CameraFrame, CameraMaker, PanoramaFrame
 from memorymaze.simulation.motion.line_following import follow_line
 from memorymaze.simulation.obstacles.crowd import Person
 from memorymaze.simulation.obstacles.surroundings import NearMiss, ObstacleSurroundings
+from memorymaze.simulation.own_body import OwnBody
 from memorymaze.simulation.plan_floor import PlanFloor
 from memorymaze.simulation.scene import Scene
 from memorymaze.simulation.senses.lidar import LidarSettings
 from memorymaze.simulation.senses.odometry import OdometrySettings
 from memorymaze.simulation.senses.turning_points import AnnotatedTurningPoints
-from memorymaze.simulation.senses.visibility import camera_elsewhere
 from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.steering.calls import CallEnd, TraceEvent
 from memorymaze.steering.commands import check_speeds
 from memorymaze.steering.driving import TimeIsUp
 from memorymaze.steering.guide_robot import GuideRobot
-from memorymaze.steering.turning_points import LidarTurningPoints, TurningPointSource
+from memorymaze.steering.turning_points import TurningPointSource
 
 
 class SimulatedRobot(GuideRobot):
@@ -55,6 +56,7 @@ class SimulatedRobot(GuideRobot):
         odometry: OdometrySettings | None = None,
         cameras: CameraMaker | None = None,
         knows_plan: bool = True,
+        body: SensorsAndMotion | None = None,
     ) -> None:
         """Put a robot into a building.
 
@@ -80,6 +82,9 @@ class SimulatedRobot(GuideRobot):
             knows_plan: Whether it steers by the plan and knows where it is on it. One that
                 does not has its LiDAR and its odometry, as any robot on a body of one's
                 own; `follow` is not for it.
+            body: A body of a user's own that stands at the start; None for the simulated
+                one. It has its own noise, LiDAR and cameras, and knows the plan where it
+                has a `pose_in_site` (`OwnBody`).
 
         Raises:
             SettingsError: There are to be people, and the package for them is missing.
@@ -87,35 +92,39 @@ class SimulatedRobot(GuideRobot):
         self.scene = scene
         """The building it is in."""
         settings = settings or SimulationSettings()
-        body = SimulatedBody(
-            scene,
-            start,
-            settings,
-            rng or np.random.default_rng(0),
-            lidar=lidar,
-            odometry=odometry,
-            localised=knows_plan,
-            cameras=cameras,
-        )
-        if scene.obstacles is not None:
-            body.surroundings = ObstacleSurroundings(
+        placed: BodyInSite
+        if body is not None:
+            placed = OwnBody(scene, start, settings, body)
+        else:
+            placed = simulated = SimulatedBody(
                 scene,
-                body.base.data,
                 start,
-                keep_free,
-                obstacles_rng or np.random.default_rng(scene.obstacles.seed),
+                settings,
+                rng or np.random.default_rng(0),
+                lidar=lidar,
+                odometry=odometry,
+                localised=knows_plan,
+                cameras=cameras,
             )
+            if scene.obstacles is not None:
+                placed.surroundings = ObstacleSurroundings(
+                    scene,
+                    simulated.base.data,
+                    start,
+                    keep_free,
+                    obstacles_rng or np.random.default_rng(scene.obstacles.seed),
+                )
         super().__init__(
-            body,
-            PlanFloor(body, _turning_points(body, start, settings))
-            if knows_plan
+            placed,
+            PlanFloor(placed, _turning_points(placed, start, settings))
+            if placed.localised
             else None,
             settings,
             on_event,
             detector=detector or TruthDetector(settings.detection_range),
             sign_reader=sign_reader or TruthSignReader(),
         )
-        self._body: SimulatedBody = body
+        self._body: BodyInSite = placed
 
     def __repr__(self) -> str:
         """Say where it is, and when."""
@@ -244,7 +253,7 @@ class SimulatedRobot(GuideRobot):
 
     def camera_view_from(self, pose: Pose) -> CameraView:
         """Return what the camera would see now if the robot were elsewhere."""
-        return camera_elsewhere(self.scene, self._body.base.data, pose)
+        return self._body.view_from(pose)
 
     def camera_frame(
         self, width: int = 640, height: int = 480, horizontal_fov: float = math.pi / 2
@@ -315,6 +324,20 @@ class SimulatedRobot(GuideRobot):
         """Return where it has been: every 0.2 s and after every call."""
         return self._body.trajectory()
 
+    @property
+    def tells_by_odometry(self) -> bool:
+        """Whether its pose is what its odometry makes of the start, which may drift."""
+        return isinstance(self._body, OwnBody) and not self._body.localised
+
+    @property
+    def lost(self) -> str | None:
+        """Why its body does nothing any more; None while it does."""
+        return self._body.lost if isinstance(self._body, OwnBody) else None
+
+    def close(self) -> None:
+        """Let go of its body; its walk can still be asked for."""
+        self._body.close()
+
     def _follow(self, points: NDArray[np.float64]) -> MoveEnd:
         how = follow_line(self._driver, points, self.settings.max_speed)
         self._pilot.face(self._driver.pose.heading, None)
@@ -328,10 +351,10 @@ class SimulatedRobot(GuideRobot):
 
 
 def _turning_points(
-    body: SimulatedBody, start: Pose, settings: SimulationSettings
+    body: BodyInSite, start: Pose, settings: SimulationSettings
 ) -> TurningPointSource:
     if settings.turning_points == "lidar":
-        return LidarTurningPoints(body.lidar.scan, start, body.wheel_odometry.update)
+        return body.lidar_turning_points(start)
     annotated = AnnotatedTurningPoints(body.scene)
     annotated.update(start, start.heading, 0.0)
     return annotated

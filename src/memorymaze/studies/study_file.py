@@ -149,6 +149,9 @@ class FollowedTexts(_Part):
     """Instruction files, seen from the study file; none for the shipped texts."""
     limit: Annotated[int, Field(ge=1)] | None = None
     """How many of the texts, alike many of every route; None for all."""
+    robot: _Text | None = None
+    """Whose body they drive, as `evaluate --robot` takes it; None for the simulated one. Walks
+    are driven once more for what is exported, so it is one of a simulator."""
     read_aloud: bool
     """Whether the browser offers to read a text aloud."""
 

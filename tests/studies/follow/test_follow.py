@@ -33,6 +33,9 @@ STEP = StudyStep.of("follow", "R1")
 SURE = Said(arrived=True, confidence=0.75)
 
 
+EXAMPLE = Path(__file__).parents[3] / "examples" / "own_robot.py"
+
+
 @pytest.fixture
 def study(make_study: MakeStudy, tiny_instructions: Path) -> Study:
     return make_study(
@@ -101,6 +104,24 @@ def test_somebody_arrives_and_is_scored_in_a_run_that_tables_read(
     assert [each.path for each in store.exports()] == [str(out)]
     with pytest.raises(SettingsError, match="not there yet"):
         export_walks(study, store, out)
+
+
+def test_people_can_drive_a_body_of_ones_own(
+    make_study: MakeStudy, tiny_instructions: Path, tmp_path: Path
+) -> None:
+    texts = f"instructions = [{json.dumps(str(tiny_instructions))}]"
+    study = make_study("follow", f'{texts}\nrobot = "{EXAMPLE}:in_site"')
+    with (
+        open_store(study) as store,
+        Drives(store, texts_to_follow(study), draws=False) as drives,
+    ):
+        who = somebody(store)
+        drive_to_the_goal(drives, who)
+        finish(store, drives, who, SURE)
+        export_walks(study, store, tmp_path / "walks")
+    record, [result] = read_run(tmp_path / "walks")
+    assert str(record.settings.robot) == f"{EXAMPLE}:in_site"
+    assert result.success
 
 
 def test_a_walk_goes_on_in_another_process_where_it_was_broken_off(

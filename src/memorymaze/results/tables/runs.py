@@ -200,7 +200,7 @@ def run_notes(run: MeasuredRun) -> list[str]:
         f"success distance {settings.success_distance:g} m, {budget_words(settings)}, seed "
         f"{settings.seed}, memorymaze {_code(run)}",
         *track_notes(settings),
-        *sense_notes(settings),
+        *sense_notes(settings, results),
         *([safety_words(results)] if settings.obstacles is not None else []),
         *([version] if version is not None else []),
         *model_notes(settings, results),

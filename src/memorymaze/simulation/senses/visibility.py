@@ -267,7 +267,9 @@ def _is_cut(box: tuple[float, float, float, float]) -> bool:
     return left <= 0 or top <= 0 or right >= WIDTH or bottom >= HEIGHT
 
 
-def camera_elsewhere(scene: Scene, now: mujoco.MjData, pose: Pose) -> RayCamera:
+def camera_elsewhere(
+    scene: Scene, now: mujoco.MjData, pose: Pose, draw: Draw | None = None
+) -> RayCamera:
     """Return what the camera would see from a robot's pose, with people as now."""
     data = mujoco.MjData(scene.model)
     half = pose.heading / 2
@@ -276,4 +278,4 @@ def camera_elsewhere(scene: Scene, now: mujoco.MjData, pose: Pose) -> RayCamera:
     data.mocap_quat[:] = now.mocap_quat
     mujoco.mj_kinematics(scene.model, data)
     mujoco.mj_camlight(scene.model, data)
-    return RayCamera(scene, data)
+    return RayCamera(scene, data, draw)

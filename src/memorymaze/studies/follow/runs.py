@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 from memorymaze.errors import SettingsError, StudyError
 from memorymaze.evaluation.arena import Arena
+from memorymaze.evaluation.bodies import find_body
 from memorymaze.evaluation.episode import EpisodeRun
 from memorymaze.evaluation.provenance import code_stamp
 from memorymaze.evaluation.results import EpisodeResult
@@ -56,7 +57,7 @@ def export_walks(study: Study, store: Store, out: str | Path) -> ExportedWalks:
         )
     agent = AgentSettings(PEOPLE)
     settings = replace(texts.settings, agent=agent)
-    arena = Arena(study.site, looks=settings.looks)
+    arena = Arena(study.site, looks=settings.looks, body=find_body(settings.robot))
     # All are driven before anything is written: one that is refused leaves no half run.
     driven = [
         _Driven(who, walk, _again(walk, texts.episode(walk.text), arena, settings))

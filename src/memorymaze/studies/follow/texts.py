@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from memorymaze.errors import StudyError
+from memorymaze.evaluation.bodies import parse_body
 from memorymaze.evaluation.plan import define_run
 from memorymaze.evaluation.sampling import sample
 from memorymaze.evaluation.settings import AgentSettings, RunDefinition, RunSettings
@@ -64,7 +65,10 @@ def texts_to_follow(study: Study) -> TextsToFollow:
     chosen = sample(episodes(told, {study.site.name: study.site}), follow.limit)
     settings = define_run(
         AgentSettings(PEOPLE),
-        RunSettings(limit=follow.limit),
+        RunSettings(
+            limit=follow.limit,
+            robot=None if follow.robot is None else parse_body(follow.robot),
+        ),
         NEEDS,
         [study.site],
     )

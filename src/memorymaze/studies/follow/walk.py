@@ -15,6 +15,7 @@ import numpy as np
 from memorymaze.agents.agent import Journal, Need
 from memorymaze.agents.notes import ArrivalNote, GaveUpNote
 from memorymaze.evaluation.arena import Arena
+from memorymaze.evaluation.bodies import find_body
 from memorymaze.evaluation.episode import EpisodeRun, run_episode
 from memorymaze.evaluation.settings import RunDefinition
 from memorymaze.evaluation.trace_entries import TraceEntry
@@ -151,7 +152,9 @@ class RobotToDrive:
     def __call__(self, connection: Connection) -> None:
         """Take up the walk where it was, and drive on as told."""
         driver = _Driver(connection, self.past, draws=self.draws)
-        arena = Arena(self.site, looks=self.settings.looks)
+        arena = Arena(
+            self.site, looks=self.settings.looks, body=find_body(self.settings.robot)
+        )
         people = People(driver.commands(), driver.hear)
         run = run_episode(people, self.episode, arena, self.settings, driver)
         connection.send(Ended(run.result.stopped_by))
