@@ -1,0 +1,269 @@
+"""Lines that roads run along: straight pieces and arcs, and what lies beside them."""
+
+import math
+from bisect import bisect_right
+from collections.abc import Iterator, Sequence
+from functools import cached_property
+from itertools import accumulate, pairwise
+from typing import NamedTuple
+
+import numpy as np
+from scipy.sparse.csgraph import dijkstra
+from shapely import LineString, Point, Polygon, get_coordinates, get_parts, get_rings
+from shapely.affinity import affine_transform
+
+from memorymaze.geometry.floor import Floor
+from memorymaze.geometry.pose import Pose, heading_to, turn_between, wrap_angle
+
+LONGEST_TANGENT = 3.0
+"""Metres of a straight piece that a bend rounds off at most."""
+KINK = math.radians(0.5)
+"""A turn smaller than this is not rounded."""
+DETOUR = 1.5
+"""How many times longer than the straight line a way with one bend may be."""
+BERTH = 0.45
+"""Metres kept from corners on a way round them, where there is room."""
+NARROWEST = 0.1
+"""Metres; no way leads through what is narrower."""
+SAME_PLACE = 5e-3
+"""Metres between corners that count as one along a line."""
+
+Place = tuple[float, float]
+
+
+class Stretch(NamedTuple):
+    """A straight piece, or an arc of a circle."""
+
+    start: Pose
+    length: float
+    """Metres."""
+    curvature: float
+    """Per metre, left positive; 0 is straight."""
+
+    def pose(self, along: float) -> Pose:
+        """Return the pose so many metres along."""
+        x, y, heading = self.start
+        turned = self.curvature * along
+        # The chord is along the mean heading, and sinc(0) is 1.
+        chord = along * float(np.sinc(turned / 2 / math.pi))
+        middle = heading + turned / 2
+        return Pose(
+            x + chord * math.cos(middle),
+            y + chord * math.sin(middle),
+            wrap_angle(heading + turned),
+        )
+
+
+class ReferenceLine(tuple[Stretch, ...]):
+    """Stretches that follow on each other without a gap."""
+
+    @cached_property
+    def starts(self) -> list[float]:
+        """Metres along it at which each stretch starts, and those at its end."""
+        return list(accumulate((each.length for each in self), initial=0.0))
+
+    @property
+    def length(self) -> float:
+        """Metres."""
+        return self.starts[-1]
+
+    def pose(self, at: float) -> Pose:
+        """Return the pose so many metres along."""
+        number = min(max(bisect_right(self.starts, at) - 1, 0), len(self) - 1)
+        return self[number].pose(at - self.starts[number])
+
+    def curvature(self, at: float) -> float:
+        """Return the curvature there, per metre."""
+        number = min(max(bisect_right(self.starts, at) - 1, 0), len(self) - 1)
+        return self[number].curvature
+
+    def beside(self, at: float, offset: float) -> Place:
+        """Return the point so many metres along and, to the left, beside it."""
+        x, y, heading = self.pose(at)
+        return x - offset * math.sin(heading), y + offset * math.cos(heading)
+
+
+class Across(NamedTuple):
+    """Between which offsets from a line something lies; left is positive."""
+
+    at: float
+    """Metres along the line."""
+    right: float
+    """Metres."""
+    left: float
+    """Metres."""
+
+
+Slice = tuple[Across, Across]
+"""What lies between two places along a line, with straight borders."""
+
+
+def straight_line(start: Pose, length: float) -> ReferenceLine:
+    """Return the line so many metres straight on from a pose."""
+    return ReferenceLine([Stretch(start, length, 0.0)])
+
+
+def rounded_line(points: Sequence[Place]) -> ReferenceLine:
+    """Return the line through points, with its bends rounded off."""
+    corners = [points[0]]
+    corners += [each for each in points[1:] if math.dist(each, corners[-1]) > SAME_PLACE]
+    headings = [heading_to(*leg) for leg in pairwise(corners)]
+    last = len(headings) - 1
+    room = [
+        math.dist(*leg) / (1 if number in (0, last) else 2)
+        for number, leg in enumerate(pairwise(corners))
+    ]
+    if last == 1:
+        room = [min(room)] * 2
+    made: list[Stretch] = []
+    here = corners[0]
+    for number, (before, after) in enumerate(pairwise(headings), start=1):
+        corner, turn = corners[number], turn_between(before, after)
+        if abs(turn) < KINK:
+            made.append(Stretch(Pose(*here, before), math.dist(here, corner), 0.0))
+            here = corner
+            continue
+        tangent = min(room[number - 1], room[number], LONGEST_TANGENT)
+        entry = _ahead(corner, before, -tangent)
+        if math.dist(here, entry) > SAME_PLACE:
+            made.append(Stretch(Pose(*here, before), math.dist(here, entry), 0.0))
+        radius = tangent / math.tan(abs(turn) / 2)
+        curvature = math.copysign(1 / radius, turn)
+        made.append(Stretch(Pose(*entry, before), radius * abs(turn), curvature))
+        here = _ahead(corner, after, tangent)
+    if not made or math.dist(here, corners[-1]) > SAME_PLACE:
+        made.append(Stretch(Pose(*here, headings[-1]), math.dist(here, corners[-1]), 0.0))
+    return ReferenceLine(made)
+
+
+def way_through(floor: Polygon, start: Pose, end: Pose) -> list[Place] | None:
+    """Return points of a way over a floor, or None where it is too narrow.
+
+    Both poses look into the floor from its edge.
+    """
+    here, there = (start.x, start.y), (end.x, end.y)
+    around = floor.buffer(SAME_PLACE, join_style="mitre")
+    corner = _meeting(start, end)
+    straight = math.dist(here, there)
+    onwards = abs(turn_between(start.heading, heading_to(here, there)))
+    offwards = abs(turn_between(end.heading, heading_to(there, here)))
+    ways = [[here, there]] if max(onwards, offwards) < KINK else []
+    if corner is not None:
+        ways.append([here, corner, there])
+    inset = min(1.0, straight / 3)
+    inner, outer = _ahead(here, start.heading, inset), _ahead(there, end.heading, inset)
+    ways.append([here, inner, outer, there])
+    for way in ways:
+        line = LineString(way)
+        if line.length <= DETOUR * straight and around.covers(line):
+            return way
+    walk = _walk(floor, inner, outer)
+    return None if walk is None else [here, *walk, there]
+
+
+def slices_along(floor: Polygon, start: Pose) -> list[list[Slice]]:
+    """Cut a floor across a straight line into strips whose borders run straight.
+
+    Each list is one strip, of slices that follow on each other; holes and bays part
+    strips. Metres along the line may be negative.
+    """
+    cosine, sine = math.cos(start.heading), math.sin(start.heading)
+    shift = (
+        -cosine * start.x - sine * start.y,
+        sine * start.x - cosine * start.y,
+    )
+    flat = affine_transform(floor, (cosine, sine, -sine, cosine, *shift))
+    edges = [
+        (min(edge), max(edge))
+        for ring in get_rings(get_parts(flat))
+        for edge in pairwise([(x, y) for x, y in get_coordinates(ring).tolist()])
+    ]
+    stops: list[float] = []
+    for stop in sorted(get_coordinates(flat)[:, 0].tolist()):
+        if not stops or stop - stops[-1] > SAME_PLACE:
+            stops.append(stop)
+    strips: list[list[Slice]] = []
+    growing: list[list[Slice]] = []
+    for begin, finish in pairwise(stops):
+        here = list(_slices(edges, begin, finish))
+        if len(here) != len(growing) or not all(
+            _joined(strip[-1][1], each[0])
+            for strip, each in zip(growing, here, strict=True)
+        ):
+            growing = [[] for _ in here]
+            strips += growing
+        for strip, each in zip(growing, here, strict=True):
+            strip.append(each)
+    return strips
+
+
+def _slices(
+    edges: Sequence[tuple[Place, Place]], begin: float, finish: float
+) -> Iterator[Slice]:
+    """Yield what lies between the edges that pass the middle of a piece, in pairs."""
+    middle = (begin + finish) / 2
+    passing = [edge for edge in edges if edge[0][0] <= middle < edge[1][0]]
+    passing.sort(key=lambda edge: _height(edge, middle))
+    for low, high in zip(passing[::2], passing[1::2], strict=True):
+        first, last = (
+            Across(at, min(sides), max(sides))
+            for at in (begin, finish)
+            for sides in [(_height(low, at), _height(high, at))]
+        )
+        yield first, last
+
+
+def _height(edge: tuple[Place, Place], at: float) -> float:
+    (x, y), (other_x, other_y) = edge
+    at = min(max(at, x), other_x)
+    return y + (other_y - y) * (at - x) / (other_x - x)
+
+
+def _joined(one: Across, other: Across) -> bool:
+    return min(one.left, other.left) - max(one.right, other.right) > SAME_PLACE
+
+
+def _ahead(place: Place, heading: float, metres: float) -> Place:
+    return (
+        place[0] + metres * math.cos(heading),
+        place[1] + metres * math.sin(heading),
+    )
+
+
+def _meeting(start: Pose, end: Pose) -> Place | None:
+    """Return the point that two poses look at, in front of both."""
+    across = math.sin(turn_between(start.heading, end.heading))
+    if abs(across) < math.sin(KINK):
+        return None
+    dx, dy = end.x - start.x, end.y - start.y
+    ahead = (dx * math.sin(end.heading) - dy * math.cos(end.heading)) / across
+    other = (dx * math.sin(start.heading) - dy * math.cos(start.heading)) / across
+    if min(ahead, other) < SAME_PLACE:
+        return None
+    return _ahead((start.x, start.y), start.heading, ahead)
+
+
+def _walk(floor: Polygon, start: Place, end: Place) -> list[Place] | None:
+    """Return a shortest walk that bends where there is room beside corners."""
+    bends = [
+        get_coordinates(floor.buffer(-berth, join_style="mitre"))
+        for berth in (BERTH, BERTH / 2, NARROWEST)
+    ]
+    spots = np.concatenate([[start, end], *bends])
+    narrow = floor.buffer(-NARROWEST / 2)
+    if narrow.is_empty or not all(narrow.covers(Point(each)) for each in (start, end)):
+        return None
+    tails, heads = np.triu_indices(len(spots), k=1)
+    seen = Floor(narrow).joins(spots[tails], spots[heads])
+    tails, heads = tails[seen], heads[seen]
+    steps = np.zeros((len(spots),) * 2)
+    # Two equal spots would count as not joined.
+    steps[tails, heads] = np.hypot(*(spots[tails] - spots[heads]).T) + 1e-9
+    lengths, before = dijkstra(steps, directed=False, indices=1, return_predecessors=True)
+    if not math.isfinite(lengths[0]):
+        return None
+    walk, here = [start], 0
+    while before[here] >= 0:
+        here = int(before[here])
+        walk.append((float(spots[here][0]), float(spots[here][1])))
+    return walk

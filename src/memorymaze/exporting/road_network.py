@@ -1,0 +1,295 @@
+"""A site's floor as roads, and junctions where they meet.
+
+A corridor is a road wherever nothing but walls lies beside it. All else, turning points
+and halls with whatever opens to them, is a junction: a connecting road for each pair of
+ways into it, and beside these roads that cover what is left of its floor.
+"""
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import combinations, count, pairwise
+from typing import NamedTuple, cast
+
+import numpy as np
+import shapely
+from shapely import LineString, Point, Polygon, get_coordinates, get_parts, union_all
+
+from memorymaze.exporting.reference_lines import (
+    Across,
+    ReferenceLine,
+    Slice,
+    rounded_line,
+    slices_along,
+    straight_line,
+    way_through,
+)
+from memorymaze.geometry.pose import Pose, heading_to, wrap_angle
+from memorymaze.sites.records import Corridor, Site, TurningPoint, floor_pieces
+
+TOUCHING = 0.01
+"""Metres that may lie between pieces of floor that are open to each other."""
+OPENING = 0.3
+"""Metres along which they touch at least."""
+SHORTEST_ROAD = 0.5
+"""Metres; a shorter piece of a corridor belongs to what is at its ends."""
+SHORTEST_JUNCTION = 0.4
+"""Metres of a corridor that a junction takes at least."""
+STRIPE = 1.5
+"""Metres across of the lanes that cover halls, at most: readers take the lane whose
+middle is nearest, so a wide lane loses its edge to a narrow one beyond the wall."""
+COVERED = 0.98
+"""Share of its floor that the connecting roads of a junction without more cover."""
+BORDER_STEP = 0.25
+"""Metres along a connecting road between places where it is fitted into the floor."""
+
+Span = tuple[float, float]
+"""Between which metres along a corridor something lies."""
+
+
+class RoadEnd(NamedTuple):
+    """Where a road begins or stops."""
+
+    road: int
+    """Its id."""
+    contact: str
+    """`start` or `end`."""
+    pose: Pose
+    """In the middle of it, looking out of the road."""
+    half_width: float
+    """Metres."""
+
+
+@dataclass(frozen=True, slots=True)
+class Road:
+    """A strip of floor with lanes of equal width side by side."""
+
+    id: int
+    name: str
+    line: ReferenceLine
+    slices: tuple[Slice, ...]
+    lanes: tuple[int, int]
+    """How many on the left, on the right; one each where one can go both ways."""
+    junction: int | None = None
+    """Id of the one that it is in."""
+    before: RoadEnd | None = None
+    """What a connecting road goes on from."""
+    after: RoadEnd | None = None
+    """What goes on from it."""
+
+    @property
+    def outline(self) -> Polygon:
+        """The floor that it covers."""
+        places = [each for piece in self.slices for each in piece]
+        left = [self.line.beside(each.at, each.left) for each in places]
+        right = [self.line.beside(each.at, each.right) for each in places]
+        return Polygon([*right, *reversed(left)]).buffer(0)
+
+    def end(self, contact: str) -> RoadEnd:
+        """Return one of its two ends."""
+        at = self.slices[0][0] if contact == "start" else self.slices[-1][1]
+        x, y = self.line.beside(at.at, (at.left + at.right) / 2)
+        turned = math.pi if contact == "start" else 0.0
+        heading = wrap_angle(self.line.pose(at.at).heading + turned)
+        return RoadEnd(self.id, contact, Pose(x, y, heading), (at.left - at.right) / 2)
+
+
+@dataclass(frozen=True, slots=True)
+class RoadJunction:
+    """Floor on which one gets from each way into it to every other."""
+
+    id: int
+    name: str
+    polygon: Polygon
+    ends: tuple[RoadEnd, ...]
+    """Of the ways into it."""
+
+
+@dataclass(frozen=True, slots=True)
+class RoadNetwork:
+    """All roads of a floor, and its junctions; no two have the same id."""
+
+    roads: tuple[Road, ...]
+    junctions: tuple[RoadJunction, ...]
+
+
+def road_network(site: Site) -> RoadNetwork:
+    """Make the roads and junctions of a site."""
+    ids = count(1)
+    open_floor = [
+        *(each.polygon for each in site.areas),
+        *(each.polygon for each in site.turning_points if not _is_end(each, site)),
+    ]
+    roads: list[Road] = []
+    places = list(open_floor)
+    for corridor in site.corridors:
+        others = [each.polygon for each in site.corridors if each is not corridor]
+        taken = _taken(corridor, [*open_floor, *others])
+        for span, is_road in _spans(corridor.length, taken):
+            floor = _between(corridor, span)
+            if is_road:
+                roads += _straight_roads(floor, _start_of(corridor), corridor.id, ids)
+            else:
+                places.append(floor)
+    ends = [road.end(contact) for road in roads for contact in ("start", "end")]
+    junctions: list[RoadJunction] = []
+    for polygon in floor_pieces(places) if places else ():
+        here = tuple(
+            each
+            for each in ends
+            if polygon.distance(Point(each.pose.x, each.pose.y)) < 2 * TOUCHING
+        )
+        junctions.append(RoadJunction(next(ids), _name(polygon, site), polygon, here))
+    for junction in junctions:
+        roads += _roads_in(junction, ids)
+    return RoadNetwork(tuple(roads), tuple(junctions))
+
+
+def _is_end(point: TurningPoint, site: Site) -> bool:
+    """Tell a turning point that is only the end of a corridor."""
+    return len(point.exits) == 1 and any(
+        each.polygon.buffer(TOUCHING).covers(point.polygon) for each in site.corridors
+    )
+
+
+def _name(polygon: Polygon, site: Site) -> str:
+    parts = (*site.areas, *site.turning_points, *site.corridors)
+    inside = [each for each in parts if polygon.buffer(TOUCHING).covers(each.polygon)]
+    return " ".join(each.id for each in inside)
+
+
+def _taken(corridor: Corridor, others: Sequence[Polygon]) -> list[Span]:
+    """Return where along a corridor other floor is open to it, in order."""
+    line = corridor.centre_line
+    spans: list[Span] = []
+    for other in others:
+        around = other.buffer(TOUCHING, join_style="mitre")
+        for touching in get_parts(corridor.polygon.intersection(around)):
+            if touching.area < OPENING * TOUCHING:
+                continue
+            along = [line.project(Point(each)) for each in get_coordinates(touching)]
+            more = max(SHORTEST_JUNCTION - (max(along) - min(along)), 0.0) / 2
+            begin, end = min(along) - more, max(along) + more
+            spans.append((max(begin, 0.0), min(end, line.length)))
+    return sorted(spans)
+
+
+def _spans(length: float, taken: Sequence[Span]) -> Iterator[tuple[Span, bool]]:
+    """Yield the pieces of a corridor along its way, and which of them are roads."""
+    begin = reached = 0.0
+    for start, stop in (*taken, (length, length)):
+        if start - reached > SHORTEST_ROAD:
+            if reached > begin:
+                yield (begin, reached), False
+            yield (reached, start), True
+            begin = start
+        reached = max(reached, stop)
+    if length > begin:
+        yield (begin, length), False
+
+
+def _between(corridor: Corridor, span: Span) -> Polygon:
+    """Return a corridor between two cuts across it, or a cut and its own end."""
+    far = 2 * (corridor.length + corridor.width)
+    begin = span[0] if span[0] > 0 else -far
+    end = span[1] if span[1] < corridor.length else far
+    line = straight_line(_start_of(corridor), corridor.length)
+    corners = ((begin, -far), (end, -far), (end, far), (begin, far))
+    cut = Polygon([line.beside(at, side) for at, side in corners])
+    return cast(Polygon, corridor.polygon.intersection(cut))
+
+
+def _start_of(corridor: Corridor) -> Pose:
+    start, stop = corridor.centre_line.coords
+    return Pose(start[0], start[1], heading_to((start[0], start[1]), (stop[0], stop[1])))
+
+
+def _straight_roads(
+    floor: Polygon, start: Pose, name: str, ids: Iterator[int], stripe: float = math.inf
+) -> Iterator[Road]:
+    """Yield roads in one direction that cover a floor.
+
+    They have a lane each way, or, where a stripe is given, as many one way as it takes
+    for none to be wider.
+    """
+    for strip in slices_along(floor, start):
+        first, last = strip[0][0].at, strip[-1][1].at
+        begin = straight_line(start, last).pose(first)
+        slices = tuple(
+            (one._replace(at=one.at - first), other._replace(at=other.at - first))
+            for one, other in strip
+        )
+        widest = max(each.left - each.right for piece in slices for each in piece)
+        lanes = (1, 1) if math.isinf(stripe) else (math.ceil(widest / stripe), 0)
+        yield Road(next(ids), name, straight_line(begin, last - first), slices, lanes)
+
+
+def _roads_in(junction: RoadJunction, ids: Iterator[int]) -> Iterator[Road]:
+    """Yield the connecting roads of a junction, and what else covers its floor."""
+    floor = junction.polygon
+    covered: list[Polygon] = []
+    for road in _connecting_roads(junction, ids):
+        covered.append(road.outline)
+        yield road
+    if floor.intersection(union_all(covered)).area >= COVERED * floor.area:
+        return
+    frame = get_coordinates(floor.minimum_rotated_rectangle)[:3].tolist()
+    start, stop = max(pairwise(frame), key=lambda side: math.dist(*side))
+    along = Pose(start[0], start[1], heading_to(tuple(start), tuple(stop)))
+    within = junction.id if junction.ends else None
+    for road in _straight_roads(floor, along, junction.name, ids, STRIPE):
+        yield replace(road, junction=within)
+
+
+def _connecting_roads(junction: RoadJunction, ids: Iterator[int]) -> Iterator[Road]:
+    floor = junction.polygon
+    for one, other in combinations(junction.ends, 2):
+        way = way_through(floor, one.pose, other.pose)
+        if way is not None:
+            line = rounded_line(way)
+            slices = _fitted(line, (one.half_width, other.half_width), floor)
+            name = f"{one.road} to {other.road}"
+            yield Road(next(ids), name, line, slices, (1, 1), junction.id, one, other)
+    if len(junction.ends) == 1:
+        (end,) = junction.ends
+        line = straight_line(end.pose, _sight(floor, end.pose))
+        if line.length > SHORTEST_ROAD:
+            slices = _fitted(line, (end.half_width,) * 2, floor)
+            name = f"{end.road} on"
+            yield Road(next(ids), name, line, slices, (1, 1), junction.id, end)
+
+
+def _sight(floor: Polygon, pose: Pose) -> float:
+    """Return how far straight ahead the floor goes on, metres."""
+    far = straight_line(pose, floor.length)
+    ray = LineString([pose[:2], far.beside(floor.length, 0.0)])
+    walls = ray.difference(floor.buffer(TOUCHING, join_style="mitre"))
+    return Point(pose[:2]).distance(walls)
+
+
+def _fitted(
+    line: ReferenceLine, half_widths: tuple[float, float], floor: Polygon
+) -> tuple[Slice, ...]:
+    """Return a road as wide as the ways at its ends, but nowhere beyond the floor."""
+    steps = math.ceil(line.length / BORDER_STEP)
+    evenly = np.linspace(0.0, line.length, steps + 1).tolist()
+    places = sorted({*evenly, *line.starts})
+    wanted = np.interp(places, (0.0, line.length), half_widths)
+    around = floor.buffer(TOUCHING, join_style="mitre")
+    sides: list[list[float]] = []
+    for side in (-1, 1):
+        reaches = [
+            # Beyond the middle of its circle an arc's borders would cross.
+            min(wide, 1 / bend if (bend := side * line.curvature(at)) > 0 else wide)
+            for at, wide in zip(places, wanted.tolist(), strict=True)
+        ]
+        rays = shapely.linestrings([
+            [line.beside(at, 0.0), line.beside(at, side * max(reach, 1e-3))]
+            for at, reach in zip(places, reaches, strict=True)
+        ])
+        beyond = shapely.distance(
+            shapely.get_point(rays, 0), shapely.difference(rays, around)
+        )
+        sides.append((side * np.fmin(reaches, beyond)).tolist())
+    borders = [Across(*each) for each in zip(places, *sides, strict=True)]
+    return tuple(pairwise(borders))
