@@ -3,12 +3,13 @@
 OpenDRIVE's frame is the plan's: x east, y north, headings counter-clockwise; metres.
 """
 
-from collections.abc import Sequence
+import math
+from collections.abc import Iterator, Sequence
 from typing import Literal
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
 
-from memorymaze.exporting.reference_lines import Slice
+from memorymaze.exporting.reference_lines import Across, Slice
 from memorymaze.exporting.road_network import (
     Road,
     RoadEnd,
@@ -23,6 +24,8 @@ LANE_TYPES: tuple[LaneType, ...] = ("sidewalk", "driving")
 """For whom the ways are: people on foot, or vehicles."""
 BESIDE = {"sidewalk": "sidewalk", "driving": "shoulder"}
 """Type of the lanes that cover what is left of halls, by that of the ways."""
+STRAIGHT = 1e-3
+"""Metres that a border may lie off the straight line that is written for it."""
 
 
 def opendrive(site: Site, lanes: LaneType = "sidewalk") -> str:
@@ -100,27 +103,26 @@ def _add_road(
 
 def _add_lanes(made: Element, road: Road, lanes: LaneType) -> None:
     left, right = road.lanes
-    lanes_at = SubElement(made, "lanes")
-    for piece in road.slices:
-        middle = [at.right + (at.left - at.right) * right / (left + right) for at in piece]
-        SubElement(lanes_at, "laneOffset", _linear("s", piece, middle))
-    section = SubElement(lanes_at, "laneSection", {"s": "0"})
-    is_way = road.lanes == (1, 1) or road.junction is None
-    kind = lanes if is_way else BESIDE[lanes]
+    count = left + right
+    made = SubElement(made, "lanes")
+    middles = [(at.right * left + at.left * right) / count for at in _places(road)]
+    for record in _records("s", road.slices, middles):
+        SubElement(made, "laneOffset", record)
+    widths = [(at.left - at.right) / count for at in _places(road)]
+    records = list(_records("sOffset", road.slices, widths))
+    section = SubElement(made, "laneSection", {"s": "0"})
+    kind = lanes if road.is_way else BESIDE[lanes]
     for tag, numbers in (
         ("left", range(left, 0, -1)),
-        ("center", (0,)),
+        ("center", range(1)),
         ("right", range(-1, -right - 1, -1)),
     ):
         if not numbers:
             continue
         side = SubElement(section, tag)
         for number in numbers:
-            lane = SubElement(side, "lane", {
-                "id": str(number),
-                "type": kind if number else "none",
-                "level": "false",
-            })
+            told = {"id": str(number), "type": kind if number else "none"}
+            lane = SubElement(side, "lane", {**told, "level": "false"})
             links = SubElement(lane, "link")
             if number == 0:
                 continue
@@ -128,50 +130,59 @@ def _add_lanes(made: Element, road: Road, lanes: LaneType) -> None:
                 if end is not None:
                     there = _lane_on(end, number, goes_on=link == "successor")
                     SubElement(links, link, {"id": str(there)})
-            for piece in road.slices:
-                wide = [(at.left - at.right) / (left + right) for at in piece]
-                SubElement(lane, "width", _linear("sOffset", piece, wide))
+            for record in records:
+                SubElement(lane, "width", record)
 
 
 def _lane_on(end: RoadEnd, number: int, *, goes_on: bool) -> int:
-    """Return the lane of the way at an end that a connecting road's lane leads to.
+    """Return the lane of the way at an end that a connecting road's lane joins.
 
     Lanes keep their side where the way runs in the same direction.
     """
-    same = (end.contact == "start") == goes_on
-    return number if same else -number
+    return number if (end.contact == "start") == goes_on else -number
 
 
 def _add_junction(root: Element, junction: RoadJunction, network: RoadNetwork) -> None:
-    made = SubElement(
-        root, "junction", {"name": junction.name, "id": str(junction.id)}
-    )
+    told = {"name": junction.name, "id": str(junction.id)}
+    made = SubElement(root, "junction", told)
     inside = [each for each in network.roads if each.junction == junction.id]
-    number = 0
-    for road in inside:
-        enters = [(road.before, "start", -1), (road.after, "end", 1)]
-        ways = [each for each in enters if each[0] is not None]
-        # Readers only know the roads of a junction by a way that leads onto them.
-        for end, contact, lane in ways or [(junction.ends[0], "start", 0)]:
-            assert end is not None
-            connection = SubElement(made, "connection", {
-                "id": str(number),
-                "incomingRoad": str(end.road),
-                "connectingRoad": str(road.id),
-                "contactPoint": contact,
-            })
-            number += 1
-            if lane:
-                leaves = _lane_on(end, lane, goes_on=contact == "end")
-                link = {"from": str(leaves), "to": str(lane)}
-                SubElement(connection, "laneLink", link)
+    for number, road in enumerate(inside):
+        # Readers know the roads of a junction by a way that leads onto each.
+        end = road.before or junction.ends[0]
+        connection = SubElement(made, "connection", {
+            "id": str(number),
+            "incomingRoad": str(end.road),
+            "connectingRoad": str(road.id),
+            "contactPoint": "start",
+        })
+        if road.before is not None:
+            lane = str(_lane_on(end, -1, goes_on=False))
+            SubElement(connection, "laneLink", {"from": lane, "to": "-1"})
 
 
-def _linear(name: str, piece: Slice, values: Sequence[float]) -> dict[str, str]:
-    """Return a polynomial, as OpenDRIVE has them, that is straight between two values."""
-    begin, end = piece
-    slope = (values[1] - values[0]) / (end.at - begin.at)
-    return _numbers(**{name: begin.at, "a": values[0], "b": slope, "c": 0.0, "d": 0.0})
+def _places(road: Road) -> Iterator[Across]:
+    """Yield where each slice begins and ends."""
+    for piece in road.slices:
+        yield from piece
+
+
+def _records(
+    name: str, slices: Sequence[Slice], values: Sequence[float]
+) -> Iterator[dict[str, str]]:
+    """Yield the straight polynomials through values at both ends of each slice.
+
+    Slices that go on straight share one.
+    """
+    begin, value, slope = slices[0][0].at, values[0], math.nan
+    for piece, start, stop in zip(slices, values[::2], values[1::2], strict=True):
+        goes_on = value + slope * (piece[1].at - begin)
+        jumps = abs(value + slope * (piece[0].at - begin) - start) > STRAIGHT
+        if jumps or not abs(goes_on - stop) <= STRAIGHT:
+            if not math.isnan(slope):
+                yield _numbers(**{name: begin, "a": value, "b": slope, "c": 0.0, "d": 0.0})
+            begin, value = piece[0].at, start
+            slope = (stop - start) / (piece[1].at - begin)
+    yield _numbers(**{name: begin, "a": value, "b": slope, "c": 0.0, "d": 0.0})
 
 
 def _numbers(**values: float) -> dict[str, str]:

@@ -15,8 +15,9 @@ from shapely.affinity import affine_transform
 from memorymaze.geometry.floor import Floor
 from memorymaze.geometry.pose import Pose, heading_to, turn_between, wrap_angle
 
-LONGEST_TANGENT = 3.0
-"""Metres of a straight piece that a bend rounds off at most."""
+TANGENTS = (3.0, 1.5, 0.75, 0.3, 0.1)
+"""Metres of a straight piece that a bend rounds off at most; less where there is no
+room for that."""
 KINK = math.radians(0.5)
 """A turn smaller than this is not rounded."""
 DETOUR = 1.5
@@ -77,6 +78,11 @@ class ReferenceLine(tuple[Stretch, ...]):
         number = min(max(bisect_right(self.starts, at) - 1, 0), len(self) - 1)
         return self[number].curvature
 
+    def trace(self, step: float = 0.1) -> list[Place]:
+        """Return points along it, metres apart."""
+        count = math.ceil(self.length / step) + 1
+        return [self.beside(at, 0.0) for at in np.linspace(0.0, self.length, count)]
+
     def beside(self, at: float, offset: float) -> Place:
         """Return the point so many metres along and, to the left, beside it."""
         x, y, heading = self.pose(at)
@@ -103,8 +109,15 @@ def straight_line(start: Pose, length: float) -> ReferenceLine:
     return ReferenceLine([Stretch(start, length, 0.0)])
 
 
-def rounded_line(points: Sequence[Place]) -> ReferenceLine:
-    """Return the line through points, with its bends rounded off."""
+def rounded_line(points: Sequence[Place], floor: Polygon) -> ReferenceLine:
+    """Return the line through points, with its bends rounded off on the floor."""
+    around = floor.buffer(SAME_PLACE, join_style="mitre")
+    *wider, narrowest = (_rounded(points, tangent) for tangent in TANGENTS)
+    fitting = (each for each in wider if around.covers(LineString(each.trace())))
+    return next(fitting, narrowest)
+
+
+def _rounded(points: Sequence[Place], longest: float) -> ReferenceLine:
     corners = [points[0]]
     corners += [each for each in points[1:] if math.dist(each, corners[-1]) > SAME_PLACE]
     headings = [heading_to(*leg) for leg in pairwise(corners)]
@@ -123,7 +136,7 @@ def rounded_line(points: Sequence[Place]) -> ReferenceLine:
             made.append(Stretch(Pose(*here, before), math.dist(here, corner), 0.0))
             here = corner
             continue
-        tangent = min(room[number - 1], room[number], LONGEST_TANGENT)
+        tangent = min(room[number - 1], room[number], longest)
         entry = _ahead(corner, before, -tangent)
         if math.dist(here, entry) > SAME_PLACE:
             made.append(Stretch(Pose(*here, before), math.dist(here, entry), 0.0))
@@ -164,8 +177,8 @@ def way_through(floor: Polygon, start: Pose, end: Pose) -> list[Place] | None:
 def slices_along(floor: Polygon, start: Pose) -> list[list[Slice]]:
     """Cut a floor across a straight line into strips whose borders run straight.
 
-    Each list is one strip, of slices that follow on each other; holes and bays part
-    strips. Metres along the line may be negative.
+    Each list is one strip, of slices that follow on each other without a step in their
+    borders; holes and bays part strips. Metres along the line may be negative.
     """
     cosine, sine = math.cos(start.heading), math.sin(start.heading)
     shift = (
@@ -186,14 +199,13 @@ def slices_along(floor: Polygon, start: Pose) -> list[list[Slice]]:
     growing: list[list[Slice]] = []
     for begin, finish in pairwise(stops):
         here = list(_slices(edges, begin, finish))
-        if len(here) != len(growing) or not all(
-            _joined(strip[-1][1], each[0])
-            for strip, each in zip(growing, here, strict=True)
-        ):
-            growing = [[] for _ in here]
-            strips += growing
-        for strip, each in zip(growing, here, strict=True):
+        before, growing = growing, []
+        for each in here:
+            joined = [strip for strip in before if _joined(strip[-1][1], each[0])]
+            strip = joined[0] if joined else []
+            strips += [] if joined else [strip]
             strip.append(each)
+            growing.append(strip)
     return strips
 
 
@@ -220,7 +232,8 @@ def _height(edge: tuple[Place, Place], at: float) -> float:
 
 
 def _joined(one: Across, other: Across) -> bool:
-    return min(one.left, other.left) - max(one.right, other.right) > SAME_PLACE
+    steps = abs(one.left - other.left), abs(one.right - other.right)
+    return max(steps) < 2 * SAME_PLACE
 
 
 def _ahead(place: Place, heading: float, metres: float) -> Place:
@@ -246,8 +259,8 @@ def _meeting(start: Pose, end: Pose) -> Place | None:
 def _walk(floor: Polygon, start: Place, end: Place) -> list[Place] | None:
     """Return a shortest walk that bends where there is room beside corners."""
     bends = [
-        get_coordinates(floor.buffer(-berth, join_style="mitre"))
-        for berth in (BERTH, BERTH / 2, NARROWEST)
+        get_coordinates(floor.buffer(-berth, join_style="mitre").simplify(NARROWEST))
+        for berth in (BERTH, NARROWEST)
     ]
     spots = np.concatenate([[start, end], *bends])
     narrow = floor.buffer(-NARROWEST / 2)

@@ -40,6 +40,9 @@ STRIPE = 1.5
 middle is nearest, so a wide lane loses its edge to a narrow one beyond the wall."""
 COVERED = 0.98
 """Share of its floor that the connecting roads of a junction without more cover."""
+NARROWING = 0.5
+"""Metres that the side of a connecting road goes in or out along a metre, at most. With
+steps in them readers took one lane for another."""
 BORDER_STEP = 0.25
 """Metres along a connecting road between places where it is fitted into the floor."""
 
@@ -69,13 +72,18 @@ class Road:
     line: ReferenceLine
     slices: tuple[Slice, ...]
     lanes: tuple[int, int]
-    """How many on the left, on the right; one each where one can go both ways."""
+    """How many on the left, on the right. On the right one goes along the line."""
     junction: int | None = None
     """Id of the one that it is in."""
     before: RoadEnd | None = None
-    """What a connecting road goes on from."""
+    """Of the way that leads onto a connecting road."""
     after: RoadEnd | None = None
-    """What goes on from it."""
+    """Of the way that it leads onto."""
+
+    @property
+    def is_way(self) -> bool:
+        """Whether one gets from one place to another on it, or it only covers floor."""
+        return self.before is not None or self.junction is None
 
     @property
     def outline(self) -> Polygon:
@@ -242,21 +250,31 @@ def _roads_in(junction: RoadJunction, ids: Iterator[int]) -> Iterator[Road]:
 
 
 def _connecting_roads(junction: RoadJunction, ids: Iterator[int]) -> Iterator[Road]:
+    """Yield a road from each way to each other, or straight on from the only one."""
     floor = junction.polygon
     for one, other in combinations(junction.ends, 2):
         way = way_through(floor, one.pose, other.pose)
-        if way is not None:
-            line = rounded_line(way)
-            slices = _fitted(line, (one.half_width, other.half_width), floor)
-            name = f"{one.road} to {other.road}"
-            yield Road(next(ids), name, line, slices, (1, 1), junction.id, one, other)
+        if way is None:
+            continue
+        for before, after, points in ((one, other, way), (other, one, way[::-1])):
+            line = rounded_line(points, floor)
+            both = _fitted(line, (before.half_width, after.half_width), floor)
+            slices = tuple((_right_half(start), _right_half(stop)) for start, stop in both)
+            name = f"{before.road} to {after.road}"
+            yield Road(
+                next(ids), name, line, slices, (0, 1), junction.id, before, after
+            )
     if len(junction.ends) == 1:
         (end,) = junction.ends
         line = straight_line(end.pose, _sight(floor, end.pose))
         if line.length > SHORTEST_ROAD:
-            slices = _fitted(line, (end.half_width,) * 2, floor)
+            slices = _fitted(line, (end.half_width, end.half_width), floor)
             name = f"{end.road} on"
             yield Road(next(ids), name, line, slices, (1, 1), junction.id, end)
+
+
+def _right_half(whole: Across) -> Across:
+    return whole._replace(left=(whole.left + whole.right) / 2)
 
 
 def _sight(floor: Polygon, pose: Pose) -> float:
@@ -290,6 +308,8 @@ def _fitted(
         beyond = shapely.distance(
             shapely.get_point(rays, 0), shapely.difference(rays, around)
         )
-        sides.append((side * np.fmin(reaches, beyond)).tolist())
+        fitting = np.fmin(reaches, beyond)
+        apart = NARROWING * np.abs(np.subtract.outer(places, places))
+        sides.append((side * (fitting + apart).min(axis=1)).tolist())
     borders = [Across(*each) for each in zip(places, *sides, strict=True)]
     return tuple(pairwise(borders))
