@@ -24,6 +24,9 @@ LANE_TYPES: tuple[LaneType, ...] = ("sidewalk", "driving")
 """For whom the ways are: people on foot, or vehicles."""
 BESIDE = {"sidewalk": "sidewalk", "driving": "shoulder"}
 """Type of the lanes that cover what is left of halls, by that of the ways."""
+BENT = {"s": "0", "a": "0", "b": "0", "c": "1e-09", "d": "0"}
+"""Height of roads whose borders may bend, metres. CARLA's index of lanes takes those on
+straight roads for straight from end to end, unless their height is curved."""
 STRAIGHT = 1e-3
 """Metres that a border may lie off the straight line that is written for it."""
 
@@ -98,6 +101,8 @@ def _add_road(
             SubElement(geometry, "arc", _numbers(curvature=stretch.curvature))
         else:
             SubElement(geometry, "line")
+    if len(road.slices) > 1:
+        SubElement(SubElement(made, "elevationProfile"), "elevation", BENT)
     _add_lanes(made, road, lanes)
 
 
@@ -106,9 +111,9 @@ def _add_lanes(made: Element, road: Road, lanes: LaneType) -> None:
     count = left + right
     made = SubElement(made, "lanes")
     middles = [(at.right * left + at.left * right) / count for at in _places(road)]
+    widths = [(at.left - at.right) / count for at in _places(road)]
     for record in _records("s", road.slices, middles):
         SubElement(made, "laneOffset", record)
-    widths = [(at.left - at.right) / count for at in _places(road)]
     records = list(_records("sOffset", road.slices, widths))
     section = SubElement(made, "laneSection", {"s": "0"})
     kind = lanes if road.is_way else BESIDE[lanes]

@@ -26,8 +26,10 @@ BERTH = 0.45
 """Metres kept from corners on a way round them, where there is room."""
 NARROWEST = 0.1
 """Metres; no way leads through what is narrower."""
-SAME_PLACE = 5e-3
+SAME_PLACE = 0.02
 """Metres between corners that count as one along a line."""
+ON_EDGE = 5e-3
+"""Metres that a way may lie off the floor."""
 
 Place = tuple[float, float]
 
@@ -111,7 +113,7 @@ def straight_line(start: Pose, length: float) -> ReferenceLine:
 
 def rounded_line(points: Sequence[Place], floor: Polygon) -> ReferenceLine:
     """Return the line through points, with its bends rounded off on the floor."""
-    around = floor.buffer(SAME_PLACE, join_style="mitre")
+    around = floor.buffer(ON_EDGE, join_style="mitre")
     *wider, narrowest = (_rounded(points, tangent) for tangent in TANGENTS)
     fitting = (each for each in wider if around.covers(LineString(each.trace())))
     return next(fitting, narrowest)
@@ -155,7 +157,7 @@ def way_through(floor: Polygon, start: Pose, end: Pose) -> list[Place] | None:
     Both poses look into the floor from its edge.
     """
     here, there = (start.x, start.y), (end.x, end.y)
-    around = floor.buffer(SAME_PLACE, join_style="mitre")
+    around = floor.buffer(ON_EDGE, join_style="mitre")
     corner = _meeting(start, end)
     straight = math.dist(here, there)
     onwards = abs(turn_between(start.heading, heading_to(here, there)))
@@ -174,11 +176,10 @@ def way_through(floor: Polygon, start: Pose, end: Pose) -> list[Place] | None:
     return None if walk is None else [here, *walk, there]
 
 
-def slices_along(floor: Polygon, start: Pose) -> list[list[Slice]]:
-    """Cut a floor across a straight line into strips whose borders run straight.
+def slices_along(floor: Polygon, start: Pose) -> Iterator[Slice]:
+    """Cut a floor across a straight line at all corners, so that borders run straight.
 
-    Each list is one strip, of slices that follow on each other without a step in their
-    borders; holes and bays part strips. Metres along the line may be negative.
+    Metres along the line may be negative; slices that follow on each other need not touch.
     """
     cosine, sine = math.cos(start.heading), math.sin(start.heading)
     shift = (
@@ -195,18 +196,8 @@ def slices_along(floor: Polygon, start: Pose) -> list[list[Slice]]:
     for stop in sorted(get_coordinates(flat)[:, 0].tolist()):
         if not stops or stop - stops[-1] > SAME_PLACE:
             stops.append(stop)
-    strips: list[list[Slice]] = []
-    growing: list[list[Slice]] = []
     for begin, finish in pairwise(stops):
-        here = list(_slices(edges, begin, finish))
-        before, growing = growing, []
-        for each in here:
-            joined = [strip for strip in before if _joined(strip[-1][1], each[0])]
-            strip = joined[0] if joined else []
-            strips += [] if joined else [strip]
-            strip.append(each)
-            growing.append(strip)
-    return strips
+        yield from _slices(edges, begin, finish)
 
 
 def _slices(
@@ -229,11 +220,6 @@ def _height(edge: tuple[Place, Place], at: float) -> float:
     (x, y), (other_x, other_y) = edge
     at = min(max(at, x), other_x)
     return y + (other_y - y) * (at - x) / (other_x - x)
-
-
-def _joined(one: Across, other: Across) -> bool:
-    steps = abs(one.left - other.left), abs(one.right - other.right)
-    return max(steps) < 2 * SAME_PLACE
 
 
 def _ahead(place: Place, heading: float, metres: float) -> Place:

@@ -76,9 +76,15 @@ class Road:
     junction: int | None = None
     """Id of the one that it is in."""
     before: RoadEnd | None = None
-    """Of the way that leads onto a connecting road."""
+    """Of the road that leads onto it, where that is no matter of a junction."""
     after: RoadEnd | None = None
-    """Of the way that it leads onto."""
+    """Of the road that it leads onto."""
+
+    @property
+    def free_ends(self) -> list[RoadEnd]:
+        """Its ends that no other road goes on from."""
+        free = {"start": self.before is None, "end": self.after is None}
+        return [self.end(contact) for contact in free if free[contact]]
 
     @property
     def is_way(self) -> bool:
@@ -136,21 +142,42 @@ def road_network(site: Site) -> RoadNetwork:
         for span, is_road in _spans(corridor.length, taken):
             floor = _between(corridor, span)
             if is_road:
-                roads += _straight_roads(floor, _start_of(corridor), corridor.id, ids)
+                roads.append(_corridor_road(floor, corridor, ids))
             else:
                 places.append(floor)
-    ends = [road.end(contact) for road in roads for contact in ("start", "end")]
     junctions: list[RoadJunction] = []
     for polygon in floor_pieces(places) if places else ():
-        here = tuple(
-            each
-            for each in ends
-            if polygon.distance(Point(each.pose.x, each.pose.y)) < 2 * TOUCHING
-        )
+        roads = [part for road in roads for part in _without_loop(road, polygon, ids)]
+        here = tuple(end for road in roads for end in road.free_ends if _at(end, polygon))
         junctions.append(RoadJunction(next(ids), _name(polygon, site), polygon, here))
     for junction in junctions:
         roads += _roads_in(junction, ids)
     return RoadNetwork(tuple(roads), tuple(junctions))
+
+
+def _at(end: RoadEnd, polygon: Polygon) -> bool:
+    return polygon.distance(Point(end.pose.x, end.pose.y)) < 2 * TOUCHING
+
+
+def _without_loop(road: Road, polygon: Polygon, ids: Iterator[int]) -> Iterator[Road]:
+    """Yield a road, or its halves where it leads from a junction back to it.
+
+    CARLA's reader finds no way onto a road that has the same junction at both ends.
+    """
+    if not all(_at(end, polygon) for end in (road.end("start"), road.end("end"))):
+        yield road
+        return
+    begin, end = road.slices[0][0], road.slices[-1][1]
+    middle = Across(*(sum(both) / 2 for both in zip(begin, end, strict=True)))
+    stop = road.line.pose(middle.at)
+    first = replace(
+        road, line=straight_line(road.line[0].start, middle.at), slices=((begin, middle),)
+    )
+    rest = _moved((middle, end), middle.at)
+    line = straight_line(stop, road.line.length - middle.at)
+    second = replace(first, id=next(ids), line=line, slices=(rest,))
+    yield replace(first, after=second.end("start"))
+    yield replace(second, before=first.end("end"))
 
 
 def _is_end(point: TurningPoint, site: Site) -> bool:
@@ -212,24 +239,33 @@ def _start_of(corridor: Corridor) -> Pose:
     return Pose(start[0], start[1], heading_to((start[0], start[1]), (stop[0], stop[1])))
 
 
-def _straight_roads(
-    floor: Polygon, start: Pose, name: str, ids: Iterator[int], stripe: float = math.inf
-) -> Iterator[Road]:
-    """Yield roads in one direction that cover a floor.
+def _corridor_road(floor: Polygon, corridor: Corridor, ids: Iterator[int]) -> Road:
+    start = _start_of(corridor)
+    slices = list(slices_along(floor, start))
+    first, last = slices[0][0].at, slices[-1][1].at
+    begin = straight_line(start, last).pose(first)
+    line = straight_line(begin, last - first)
+    moved = tuple(_moved(each, first) for each in slices)
+    return Road(next(ids), corridor.id, line, moved, (1, 1))
 
-    They have a lane each way, or, where a stripe is given, as many one way as it takes
-    for none to be wider.
-    """
-    for strip in slices_along(floor, start):
-        first, last = strip[0][0].at, strip[-1][1].at
-        begin = straight_line(start, last).pose(first)
-        slices = tuple(
-            (one._replace(at=one.at - first), other._replace(at=other.at - first))
-            for one, other in strip
-        )
-        widest = max(each.left - each.right for piece in slices for each in piece)
-        lanes = (1, 1) if math.isinf(stripe) else (math.ceil(widest / stripe), 0)
-        yield Road(next(ids), name, straight_line(begin, last - first), slices, lanes)
+
+def _floor_roads(
+    floor: Polygon, name: str, ids: Iterator[int], junction: int | None
+) -> Iterator[Road]:
+    """Yield roads that cover a floor, along its longest wall."""
+    walls = pairwise((x, y) for x, y, *_ in floor.exterior.coords)
+    start, stop = max(walls, key=lambda wall: math.dist(*wall))
+    along = Pose(*start, heading_to(start, stop))
+    for each in slices_along(floor, along):
+        begin, end = each[0].at, each[1].at
+        line = straight_line(straight_line(along, end).pose(begin), end - begin)
+        lanes = max(1, math.ceil(max(at.left - at.right for at in each) / STRIPE))
+        yield Road(next(ids), name, line, (_moved(each, begin),), (lanes, 0), junction)
+
+
+def _moved(piece: Slice, by: float) -> Slice:
+    begin, end = piece
+    return begin._replace(at=begin.at - by), end._replace(at=end.at - by)
 
 
 def _roads_in(junction: RoadJunction, ids: Iterator[int]) -> Iterator[Road]:
@@ -241,12 +277,8 @@ def _roads_in(junction: RoadJunction, ids: Iterator[int]) -> Iterator[Road]:
         yield road
     if floor.intersection(union_all(covered)).area >= COVERED * floor.area:
         return
-    frame = get_coordinates(floor.minimum_rotated_rectangle)[:3].tolist()
-    start, stop = max(pairwise(frame), key=lambda side: math.dist(*side))
-    along = Pose(start[0], start[1], heading_to(tuple(start), tuple(stop)))
     within = junction.id if junction.ends else None
-    for road in _straight_roads(floor, along, junction.name, ids, STRIPE):
-        yield replace(road, junction=within)
+    yield from _floor_roads(floor, junction.name, ids, within)
 
 
 def _connecting_roads(junction: RoadJunction, ids: Iterator[int]) -> Iterator[Road]:
