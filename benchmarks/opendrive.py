@@ -143,7 +143,11 @@ class CarlaReading:
         number, length = int(road.attrib["id"]), float(road.attrib["length"])
         stops = {float(each.attrib["s"]) for each in road.iter("laneOffset")}
         stops |= {float(each.attrib["sOffset"]) for each in road.iter("width")}
-        places = {min(max(at + by, JUST), length - JUST) for at in stops for by in (-JUST, JUST)}
+        places = {
+            min(max(at + by, JUST), length - JUST)
+            for at in stops
+            for by in (-JUST, JUST)
+        }
         steps = math.ceil(length / SAMPLE) + 1
         places |= set(np.linspace(JUST, length - JUST, steps).tolist())
         for lane in (int(each.attrib["id"]) for each in road.iter("lane")):
@@ -177,9 +181,7 @@ def _borders(point: Any, road: ElementTree.Element) -> list[tuple[float, float]]
     for arc in under[-1].iter("arc"):
         heading += float(arc.attrib["curvature"]) * (point.s - begin)
     aside = half * math.sin(heading), half * math.cos(heading)
-    return [
-        (place.x + side * aside[0], -place.y - side * aside[1]) for side in (-1, 1)
-    ]
+    return [(place.x + side * aside[0], -place.y - side * aside[1]) for side in (-1, 1)]
 
 
 @dataclass(frozen=True)
@@ -237,7 +239,9 @@ def judge(site: Site, lanes: LaneType = "sidewalk") -> OpenDriveVerdict:
             (shapely.distance(reading.floor, shapely.Point(*each)) for each in points),
             default=0.0,
         ),
-        off_answer=max((reading.beside_lane(*each, kind) for each in points), default=0.0),
+        off_answer=max(
+            (reading.beside_lane(*each, kind) for each in points), default=0.0
+        ),
         ways=len(reading.ways),
         missing=frozenset(walked - reading.ways),
         extra=frozenset(reading.ways - walked),
@@ -260,7 +264,9 @@ def graph_ways(site: Site, reading: CarlaReading) -> tuple[set[Way], set[Pair]]:
     for edge in graph.edges:
         line = LineString([graph.viewpoints[each][1:] for each in edge])
         count = max(2, math.ceil(line.length / ON_ROUTE) + 1)
-        places = shapely.line_interpolate_point(line, np.linspace(0, line.length, count))
+        places = shapely.line_interpolate_point(
+            line, np.linspace(0, line.length, count)
+        )
         chain: list[Any] = [edge[0], *((edge, n) for n in range(1, count - 1)), edge[1]]
         nx.add_path(points, chain)
         for place, piece in tree.query(places, predicate="intersects").T.tolist():
@@ -270,8 +276,16 @@ def graph_ways(site: Site, reading: CarlaReading) -> tuple[set[Way], set[Pair]]:
     for junction in junctions:
         inside = points.subgraph([each for each in points if junction in on[each]])
         for part in nx.connected_components(inside):
-            near = {piece for here in part for each in (here, *points[here]) for piece in on[each]}
-            ways |= {(one, junction, other) for one, other in permutations(near - junctions, 2)}
+            near = {
+                piece
+                for here in part
+                for each in (here, *points[here])
+                for piece in on[each]
+            }
+            ways |= {
+                (one, junction, other)
+                for one, other in permutations(near - junctions, 2)
+            }
     beside = {
         (one, other)
         for here, there in points.edges
@@ -289,7 +303,10 @@ def imported_sites() -> Iterator[Site]:
         with zipfile.ZipFile(archive, "w") as content:
             for file in sorted((EXAMPLES / "mill_court").iterdir()):
                 content.write(file, f"Mill Court/{file.name}")
-        quay, lantern = EXAMPLES / "quay_house_MapData.geojson", EXAMPLES / "lantern_building.osm"
+        quay, lantern = (
+            EXAMPLES / "quay_house_MapData.geojson",
+            EXAMPLES / "lantern_building.osm",
+        )
         for imported, route in (
             (import_cabot(quay, "2F"), ("Elevator", "Rope Workshop")),
             (import_cabot(quay, "1F"), None),

@@ -159,7 +159,9 @@ def _fbx(name: str, meshes: list[NamedMesh], lanes: LaneType) -> bytes | None:
         if mesh.kind in FLOOR_FEATURES:
             words.insert(1, FLOOR_TAGS[lanes])
         # It stops at attributes that hold lists or nothing.
-        told = {key: each for key, each in mesh.attributes.items() if isinstance(each, str)}
+        told = {
+            key: each for key, each in mesh.attributes.items() if isinstance(each, str)
+        }
         glb.add(replace(mesh, name="_".join(words), attributes=told))
     with tempfile.TemporaryDirectory() as folder:
         source, target = Path(folder) / f"{name}.glb", Path(folder) / f"{name}.fbx"

@@ -39,13 +39,17 @@ def opendrive(site: Site, lanes: LaneType = "sidewalk") -> str:
     network = road_network(site)
     west, south, east, north = site.walkable_floor.bounds
     root = Element("OpenDRIVE")
-    header = SubElement(root, "header", {
-        "revMajor": "1",
-        "revMinor": "4",
-        "name": site.name,
-        "version": "1",
-        **_numbers(north=north, south=south, east=east, west=west),
-    })
+    header = SubElement(
+        root,
+        "header",
+        {
+            "revMajor": "1",
+            "revMinor": "4",
+            "name": site.name,
+            "version": "1",
+            **_numbers(north=north, south=south, east=east, west=west),
+        },
+    )
     latitude, longitude = (
         (site.anchor.latitude, site.anchor.longitude) if site.anchor else (0.0, 0.0)
     )
@@ -70,12 +74,16 @@ def opendrive(site: Site, lanes: LaneType = "sidewalk") -> str:
 def _add_road(
     root: Element, road: Road, leads_to: dict[tuple[int, str], int], lanes: LaneType
 ) -> None:
-    made = SubElement(root, "road", {
-        "name": road.name,
-        "id": str(road.id),
-        "junction": str(road.junction or -1),
-        **_numbers(length=road.line.length),
-    })
+    made = SubElement(
+        root,
+        "road",
+        {
+            "name": road.name,
+            "id": str(road.id),
+            "junction": str(road.junction or -1),
+            **_numbers(length=road.line.length),
+        },
+    )
     links = SubElement(made, "link")
     for tag, contact, way in (
         ("predecessor", "start", road.before),
@@ -88,7 +96,11 @@ def _add_road(
         elif junction is not None:
             told = {"elementType": "junction", "elementId": str(junction)}
             SubElement(links, tag, told)
-    SubElement(made, "type", {"s": "0", "type": "pedestrian" if lanes == "sidewalk" else "lowSpeed"})
+    SubElement(
+        made,
+        "type",
+        {"s": "0", "type": "pedestrian" if lanes == "sidewalk" else "lowSpeed"},
+    )
     plan = SubElement(made, "planView")
     for start, stretch in zip(road.line.starts, road.line, strict=False):
         x, y, heading = stretch.start
@@ -154,12 +166,16 @@ def _add_junction(root: Element, junction: RoadJunction, network: RoadNetwork) -
     for number, road in enumerate(inside):
         # Readers know the roads of a junction by a way that leads onto each.
         end = road.before or junction.ends[0]
-        connection = SubElement(made, "connection", {
-            "id": str(number),
-            "incomingRoad": str(end.road),
-            "connectingRoad": str(road.id),
-            "contactPoint": "start",
-        })
+        connection = SubElement(
+            made,
+            "connection",
+            {
+                "id": str(number),
+                "incomingRoad": str(end.road),
+                "connectingRoad": str(road.id),
+                "contactPoint": "start",
+            },
+        )
         if road.before is not None:
             lane = str(_lane_on(end, -1, goes_on=False))
             SubElement(connection, "laneLink", {"from": lane, "to": "-1"})
@@ -184,7 +200,13 @@ def _records(
         jumps = abs(value + slope * (piece[0].at - begin) - start) > STRAIGHT
         if jumps or not abs(goes_on - stop) <= STRAIGHT:
             if not math.isnan(slope):
-                yield _numbers(**{name: begin, "a": value, "b": slope, "c": 0.0, "d": 0.0})
+                yield _numbers(**{
+                    name: begin,
+                    "a": value,
+                    "b": slope,
+                    "c": 0.0,
+                    "d": 0.0,
+                })
             begin, value = piece[0].at, start
             slope = (stop - start) / (piece[1].at - begin)
     yield _numbers(**{name: begin, "a": value, "b": slope, "c": 0.0, "d": 0.0})

@@ -121,7 +121,9 @@ def rounded_line(points: Sequence[Place], floor: Polygon) -> ReferenceLine:
 
 def _rounded(points: Sequence[Place], longest: float) -> ReferenceLine:
     corners = [points[0]]
-    corners += [each for each in points[1:] if math.dist(each, corners[-1]) > SAME_PLACE]
+    corners += [
+        each for each in points[1:] if math.dist(each, corners[-1]) > SAME_PLACE
+    ]
     headings = [heading_to(*leg) for leg in pairwise(corners)]
     last = len(headings) - 1
     room = [
@@ -147,7 +149,9 @@ def _rounded(points: Sequence[Place], longest: float) -> ReferenceLine:
         made.append(Stretch(Pose(*entry, before), radius * abs(turn), curvature))
         here = _ahead(corner, after, tangent)
     if not made or math.dist(here, corners[-1]) > SAME_PLACE:
-        made.append(Stretch(Pose(*here, headings[-1]), math.dist(here, corners[-1]), 0.0))
+        made.append(
+            Stretch(Pose(*here, headings[-1]), math.dist(here, corners[-1]), 0.0)
+        )
     return ReferenceLine(made)
 
 
@@ -258,7 +262,9 @@ def _walk(floor: Polygon, start: Place, end: Place) -> list[Place] | None:
     steps = np.zeros((len(spots),) * 2)
     # Two equal spots would count as not joined.
     steps[tails, heads] = np.hypot(*(spots[tails] - spots[heads]).T) + 1e-9
-    lengths, before = dijkstra(steps, directed=False, indices=1, return_predecessors=True)
+    lengths, before = dijkstra(
+        steps, directed=False, indices=1, return_predecessors=True
+    )
     if not math.isfinite(lengths[0]):
         return None
     walk, here = [start], 0

@@ -148,7 +148,9 @@ def road_network(site: Site) -> RoadNetwork:
     junctions: list[RoadJunction] = []
     for polygon in floor_pieces(places) if places else ():
         roads = [part for road in roads for part in _without_loop(road, polygon, ids)]
-        here = tuple(end for road in roads for end in road.free_ends if _at(end, polygon))
+        here = tuple(
+            end for road in roads for end in road.free_ends if _at(end, polygon)
+        )
         junctions.append(RoadJunction(next(ids), _name(polygon, site), polygon, here))
     for junction in junctions:
         roads += _roads_in(junction, ids)
@@ -171,7 +173,9 @@ def _without_loop(road: Road, polygon: Polygon, ids: Iterator[int]) -> Iterator[
     middle = Across(*(sum(both) / 2 for both in zip(begin, end, strict=True)))
     stop = road.line.pose(middle.at)
     first = replace(
-        road, line=straight_line(road.line[0].start, middle.at), slices=((begin, middle),)
+        road,
+        line=straight_line(road.line[0].start, middle.at),
+        slices=((begin, middle),),
     )
     rest = _moved((middle, end), middle.at)
     line = straight_line(stop, road.line.length - middle.at)
@@ -236,7 +240,9 @@ def _between(corridor: Corridor, span: Span) -> Polygon:
 
 def _start_of(corridor: Corridor) -> Pose:
     start, stop = corridor.centre_line.coords
-    return Pose(start[0], start[1], heading_to((start[0], start[1]), (stop[0], stop[1])))
+    return Pose(
+        start[0], start[1], heading_to((start[0], start[1]), (stop[0], stop[1]))
+    )
 
 
 def _corridor_road(floor: Polygon, corridor: Corridor, ids: Iterator[int]) -> Road:
@@ -291,7 +297,9 @@ def _connecting_roads(junction: RoadJunction, ids: Iterator[int]) -> Iterator[Ro
         for before, after, points in ((one, other, way), (other, one, way[::-1])):
             line = rounded_line(points, floor)
             both = _fitted(line, (before.half_width, after.half_width), floor)
-            slices = tuple((_right_half(start), _right_half(stop)) for start, stop in both)
+            slices = tuple(
+                (_right_half(start), _right_half(stop)) for start, stop in both
+            )
             name = f"{before.road} to {after.road}"
             yield Road(
                 next(ids), name, line, slices, (0, 1), junction.id, before, after
