@@ -28,9 +28,9 @@ import carla
 import networkx as nx
 import numpy as np
 import shapely
-from benchmarks.made_buildings import made_site
 from shapely import LineString, Polygon, STRtree, union_all
 
+from benchmarks.made_buildings import made_site
 from memorymaze.construction import BUILDING_KINDS
 from memorymaze.exporting.opendrive import LANE_TYPES, LaneType, opendrive
 from memorymaze.importing.cabot import import_cabot

@@ -34,8 +34,6 @@ WITHOUT_ASSIMP = (
     "not written: the .fbx that CARLA's import takes; for it, install the command "
     "assimp (sudo apt-get install assimp-utils) and export again"
 )
-LONGEST_CONVERSION = 600.0
-"""Seconds."""
 CENTIMETRES = 100.0
 """Units of an FBX file in a metre: assimp writes numbers as they are, and calls them
 centimetres."""
@@ -166,20 +164,13 @@ def _fbx(name: str, meshes: list[NamedMesh], lanes: LaneType) -> bytes | None:
     with tempfile.TemporaryDirectory() as folder:
         source, target = Path(folder) / f"{name}.glb", Path(folder) / f"{name}.fbx"
         source.write_bytes(glb.content())
-        try:
-            done = subprocess.run(
-                [command, "export", str(source), str(target), "-ffbx"],
-                capture_output=True,
-                text=True,
-                errors="replace",
-                timeout=LONGEST_CONVERSION,
-                check=False,
-            )
-        except subprocess.TimeoutExpired:
-            raise SettingsError(
-                f"{command}: expected an FBX file within {LONGEST_CONVERSION:.0f} s, got "
-                "none; take the command off the path to export without it"
-            ) from None
+        done = subprocess.run(
+            [command, "export", str(source), str(target), "-ffbx"],
+            capture_output=True,
+            text=True,
+            errors="replace",
+            check=False,
+        )
         if done.returncode or not target.is_file():
             told = (done.stderr or done.stdout).strip().splitlines()
             raise SettingsError(

@@ -70,15 +70,15 @@ class ReferenceLine(tuple[Stretch, ...]):
         """Metres."""
         return self.starts[-1]
 
+    def stretch(self, at: float) -> tuple[Stretch, float]:
+        """Return the stretch so many metres along, and how many metres along that."""
+        number = min(max(bisect_right(self.starts, at) - 1, 0), len(self) - 1)
+        return self[number], at - self.starts[number]
+
     def pose(self, at: float) -> Pose:
         """Return the pose so many metres along."""
-        number = min(max(bisect_right(self.starts, at) - 1, 0), len(self) - 1)
-        return self[number].pose(at - self.starts[number])
-
-    def curvature(self, at: float) -> float:
-        """Return the curvature there, per metre."""
-        number = min(max(bisect_right(self.starts, at) - 1, 0), len(self) - 1)
-        return self[number].curvature
+        stretch, along = self.stretch(at)
+        return stretch.pose(along)
 
     def trace(self, step: float = 0.1) -> list[Place]:
         """Return points along it, metres apart."""
