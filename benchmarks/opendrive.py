@@ -49,6 +49,8 @@ JUST = 1e-3
 """Metres before and behind a place where a lane may change."""
 ON_ROUTE = 0.1
 """Metres between the points of a route, and of an edge of the navigation graph."""
+ON_LANE = 0.05
+"""Metres that a point may lie beside a lane and count as on it."""
 EXAMPLES = Path(__file__).parents[1] / "tests" / "importing" / "data"
 
 Way = tuple[int, int, int]
@@ -201,7 +203,10 @@ class OpenDriveVerdict:
     off_lane: float
     """Metres between any point of a reference route and the nearest lane, at most."""
     off_answer: float
-    """The same of the lane that CARLA names for the point."""
+    """The same of the lane that CARLA names for the point, the one whose middle is
+    nearest, though the point may lie beside that and on another."""
+    other_answers: float
+    """Share of the points that lie more than 5 cm beside the lane that CARLA names."""
     ways: int
     """From how many roads one gets through a junction to how many others."""
     missing: frozenset[Way]
@@ -227,6 +232,7 @@ def judge(site: Site, lanes: LaneType = "sidewalk") -> OpenDriveVerdict:
     kind = carla.LaneType.Sidewalk if lanes == "sidewalk" else carla.LaneType.Any
     shapely.prepare(reading.floor)
     walked, beside = graph_ways(site, reading)
+    off_answers = [reading.beside_lane(*each, kind) for each in points] or [0.0]
     return OpenDriveVerdict(
         site=site.name,
         said=reading.said,
@@ -239,9 +245,8 @@ def judge(site: Site, lanes: LaneType = "sidewalk") -> OpenDriveVerdict:
             (shapely.distance(reading.floor, shapely.Point(*each)) for each in points),
             default=0.0,
         ),
-        off_answer=max(
-            (reading.beside_lane(*each, kind) for each in points), default=0.0
-        ),
+        off_answer=max(off_answers),
+        other_answers=float(np.mean([each > ON_LANE for each in off_answers])),
         ways=len(reading.ways),
         missing=frozenset(walked - reading.ways),
         extra=frozenset(reading.ways - walked),
@@ -337,6 +342,7 @@ def row(verdict: OpenDriveVerdict) -> str:
         f"{verdict.outside:.2f}",
         f"{100 * verdict.off_lane:.1f}",
         f"{100 * verdict.off_answer:.1f}",
+        f"{100 * verdict.other_answers:.1f}",
         verdict.ways,
         len(verdict.missing),
         len(verdict.extra),
@@ -372,6 +378,7 @@ def main() -> int:
         "lanes outside, m²",
         "route off lanes, cm",
         "route off CARLA's answer, cm",
+        "so more than 5 cm, %",
         "ways",
         "missing",
         "extra",

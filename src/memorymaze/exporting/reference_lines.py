@@ -29,12 +29,12 @@ NARROWEST = 0.1
 SAME_PLACE = 0.02
 """Metres between corners that count as one along a line."""
 ON_EDGE = 5e-3
-"""Metres that a way may lie off the floor."""
+"""Metres that a way may lie off the floor, or its pieces apart."""
 
-Place = tuple[float, float]
+PlanPoint = tuple[float, float]
 
 
-class Stretch(NamedTuple):
+class LineStretch(NamedTuple):
     """A straight piece, or an arc of a circle."""
 
     start: Pose
@@ -57,8 +57,8 @@ class Stretch(NamedTuple):
         )
 
 
-class ReferenceLine(tuple[Stretch, ...]):
-    """Stretches that follow on each other without a gap."""
+class ReferenceLine(tuple[LineStretch, ...]):
+    """Stretches that follow on each other."""
 
     @cached_property
     def starts(self) -> list[float]:
@@ -70,7 +70,7 @@ class ReferenceLine(tuple[Stretch, ...]):
         """Metres."""
         return self.starts[-1]
 
-    def stretch(self, at: float) -> tuple[Stretch, float]:
+    def stretch(self, at: float) -> tuple[LineStretch, float]:
         """Return the stretch so many metres along, and how many metres along that."""
         number = min(max(bisect_right(self.starts, at) - 1, 0), len(self) - 1)
         return self[number], at - self.starts[number]
@@ -80,18 +80,18 @@ class ReferenceLine(tuple[Stretch, ...]):
         stretch, along = self.stretch(at)
         return stretch.pose(along)
 
-    def trace(self, step: float = 0.1) -> list[Place]:
+    def trace(self, step: float = 0.1) -> list[PlanPoint]:
         """Return points along it, metres apart."""
         count = math.ceil(self.length / step) + 1
         return [self.beside(at, 0.0) for at in np.linspace(0.0, self.length, count)]
 
-    def beside(self, at: float, offset: float) -> Place:
+    def beside(self, at: float, offset: float) -> PlanPoint:
         """Return the point so many metres along and, to the left, beside it."""
         x, y, heading = self.pose(at)
         return x - offset * math.sin(heading), y + offset * math.cos(heading)
 
 
-class Across(NamedTuple):
+class RoadBorders(NamedTuple):
     """Between which offsets from a line something lies; left is positive."""
 
     at: float
@@ -102,16 +102,16 @@ class Across(NamedTuple):
     """Metres."""
 
 
-Slice = tuple[Across, Across]
+FloorSlice = tuple[RoadBorders, RoadBorders]
 """What lies between two places along a line, with straight borders."""
 
 
 def straight_line(start: Pose, length: float) -> ReferenceLine:
     """Return the line so many metres straight on from a pose."""
-    return ReferenceLine([Stretch(start, length, 0.0)])
+    return ReferenceLine([LineStretch(start, length, 0.0)])
 
 
-def rounded_line(points: Sequence[Place], floor: Polygon) -> ReferenceLine:
+def rounded_line(points: Sequence[PlanPoint], floor: Polygon) -> ReferenceLine:
     """Return the line through points, with its bends rounded off on the floor."""
     around = floor.buffer(ON_EDGE, join_style="mitre")
     *wider, narrowest = (_rounded(points, tangent) for tangent in TANGENTS)
@@ -119,7 +119,7 @@ def rounded_line(points: Sequence[Place], floor: Polygon) -> ReferenceLine:
     return next(fitting, narrowest)
 
 
-def _rounded(points: Sequence[Place], longest: float) -> ReferenceLine:
+def _rounded(points: Sequence[PlanPoint], longest: float) -> ReferenceLine:
     corners = [points[0]]
     corners += [
         each for each in points[1:] if math.dist(each, corners[-1]) > SAME_PLACE
@@ -132,30 +132,30 @@ def _rounded(points: Sequence[Place], longest: float) -> ReferenceLine:
     ]
     if last == 1:
         room = [min(room)] * 2
-    made: list[Stretch] = []
+    made: list[LineStretch] = []
     here = corners[0]
     for number, (before, after) in enumerate(pairwise(headings), start=1):
         corner, turn = corners[number], turn_between(before, after)
         if abs(turn) < KINK:
-            made.append(Stretch(Pose(*here, before), math.dist(here, corner), 0.0))
+            made.append(LineStretch(Pose(*here, before), math.dist(here, corner), 0.0))
             here = corner
             continue
         tangent = min(room[number - 1], room[number], longest)
         entry = _ahead(corner, before, -tangent)
-        if math.dist(here, entry) > SAME_PLACE:
-            made.append(Stretch(Pose(*here, before), math.dist(here, entry), 0.0))
+        if math.dist(here, entry) > ON_EDGE:
+            made.append(LineStretch(Pose(*here, before), math.dist(here, entry), 0.0))
         radius = tangent / math.tan(abs(turn) / 2)
         curvature = math.copysign(1 / radius, turn)
-        made.append(Stretch(Pose(*entry, before), radius * abs(turn), curvature))
+        made.append(LineStretch(Pose(*entry, before), radius * abs(turn), curvature))
         here = _ahead(corner, after, tangent)
-    if not made or math.dist(here, corners[-1]) > SAME_PLACE:
+    if not made or math.dist(here, corners[-1]) > ON_EDGE:
         made.append(
-            Stretch(Pose(*here, headings[-1]), math.dist(here, corners[-1]), 0.0)
+            LineStretch(Pose(*here, headings[-1]), math.dist(here, corners[-1]), 0.0)
         )
     return ReferenceLine(made)
 
 
-def way_through(floor: Polygon, start: Pose, end: Pose) -> list[Place] | None:
+def way_through(floor: Polygon, start: Pose, end: Pose) -> list[PlanPoint] | None:
     """Return points of a way over a floor, or None where it is too narrow.
 
     Both poses look into the floor from its edge.
@@ -180,7 +180,7 @@ def way_through(floor: Polygon, start: Pose, end: Pose) -> list[Place] | None:
     return None if walk is None else [here, *walk, there]
 
 
-def slices_along(floor: Polygon, start: Pose) -> Iterator[Slice]:
+def slices_along(floor: Polygon, start: Pose) -> Iterator[FloorSlice]:
     """Cut a floor across a straight line at all corners, so that borders run straight.
 
     Metres along the line may be negative; slices that follow on each other need not touch.
@@ -205,35 +205,35 @@ def slices_along(floor: Polygon, start: Pose) -> Iterator[Slice]:
 
 
 def _slices(
-    edges: Sequence[tuple[Place, Place]], begin: float, finish: float
-) -> Iterator[Slice]:
+    edges: Sequence[tuple[PlanPoint, PlanPoint]], begin: float, finish: float
+) -> Iterator[FloorSlice]:
     """Yield what lies between the edges that pass the middle of a piece, in pairs."""
     middle = (begin + finish) / 2
     passing = [edge for edge in edges if edge[0][0] <= middle < edge[1][0]]
     passing.sort(key=lambda edge: _height(edge, middle))
     for low, high in zip(passing[::2], passing[1::2], strict=True):
         first, last = (
-            Across(at, min(sides), max(sides))
+            RoadBorders(at, min(sides), max(sides))
             for at in (begin, finish)
             for sides in [(_height(low, at), _height(high, at))]
         )
         yield first, last
 
 
-def _height(edge: tuple[Place, Place], at: float) -> float:
+def _height(edge: tuple[PlanPoint, PlanPoint], at: float) -> float:
     (x, y), (other_x, other_y) = edge
     at = min(max(at, x), other_x)
     return y + (other_y - y) * (at - x) / (other_x - x)
 
 
-def _ahead(place: Place, heading: float, metres: float) -> Place:
+def _ahead(place: PlanPoint, heading: float, metres: float) -> PlanPoint:
     return (
         place[0] + metres * math.cos(heading),
         place[1] + metres * math.sin(heading),
     )
 
 
-def _meeting(start: Pose, end: Pose) -> Place | None:
+def _meeting(start: Pose, end: Pose) -> PlanPoint | None:
     """Return the point that two poses look at, in front of both."""
     across = math.sin(turn_between(start.heading, end.heading))
     if abs(across) < math.sin(KINK):
@@ -246,7 +246,7 @@ def _meeting(start: Pose, end: Pose) -> Place | None:
     return _ahead((start.x, start.y), start.heading, ahead)
 
 
-def _walk(floor: Polygon, start: Place, end: Place) -> list[Place] | None:
+def _walk(floor: Polygon, start: PlanPoint, end: PlanPoint) -> list[PlanPoint] | None:
     """Return a shortest walk that bends where there is room beside corners."""
     bends = [
         get_coordinates(floor.buffer(-berth, join_style="mitre").simplify(NARROWEST))

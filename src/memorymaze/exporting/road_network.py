@@ -16,8 +16,8 @@ import shapely
 from shapely import LineString, Point, Polygon, get_coordinates, get_parts, union_all
 
 from memorymaze.exporting.reference_lines import (
-    Across,
     ReferenceLine,
+    RoadBorders,
     rounded_line,
     slices_along,
     straight_line,
@@ -47,7 +47,7 @@ lane for another."""
 STRAIGHT = 1e-3
 """Metres that a border may lie off the straight line that stands for it."""
 
-Span = tuple[float, float]
+CorridorSpan = tuple[float, float]
 """Between which metres along a corridor something lies."""
 
 
@@ -71,7 +71,7 @@ class Road:
     id: int
     name: str
     line: ReferenceLine
-    borders: tuple[Across, ...]
+    borders: tuple[RoadBorders, ...]
     """From its start to its end, straight in between."""
     lanes: tuple[int, int]
     """How many on the left, on the right. On the right one goes along the line."""
@@ -162,10 +162,10 @@ def _name(polygon: Polygon, site: Site) -> str:
     return " ".join(each.id for each in parts if around.covers(each.polygon))
 
 
-def _taken(corridor: Corridor, others: Sequence[Polygon]) -> list[Span]:
+def _taken(corridor: Corridor, others: Sequence[Polygon]) -> list[CorridorSpan]:
     """Return where along a corridor other floor is open to it, in order."""
     line = corridor.centre_line
-    spans: list[Span] = []
+    spans: list[CorridorSpan] = []
     for other in others:
         around = other.buffer(TOUCHING, join_style="mitre")
         for touching in get_parts(corridor.polygon.intersection(around)):
@@ -178,7 +178,9 @@ def _taken(corridor: Corridor, others: Sequence[Polygon]) -> list[Span]:
     return sorted(spans)
 
 
-def _spans(length: float, taken: Sequence[Span]) -> Iterator[tuple[Span, bool]]:
+def _spans(
+    length: float, taken: Sequence[CorridorSpan]
+) -> Iterator[tuple[CorridorSpan, bool]]:
     """Yield the pieces of a corridor along its way, and which of them are roads."""
     begin = reached = 0.0
     for start, stop in (*taken, (length, length)):
@@ -192,7 +194,7 @@ def _spans(length: float, taken: Sequence[Span]) -> Iterator[tuple[Span, bool]]:
         yield (begin, length), False
 
 
-def _between(corridor: Corridor, span: Span) -> Polygon:
+def _between(corridor: Corridor, span: CorridorSpan) -> Polygon:
     """Return a corridor between two cuts across it, or a cut and its own end."""
     far = 2 * (corridor.length + corridor.width)
     begin = span[0] if span[0] > 0 else -far
@@ -218,7 +220,7 @@ def _straight_road(
     number: int,
     name: str,
     start: Pose,
-    borders: Sequence[Across],
+    borders: Sequence[RoadBorders],
     lanes: tuple[int, int],
 ) -> Road:
     """Return the road between places along a line from a pose."""
@@ -237,7 +239,7 @@ def _without_loop(road: Road, polygon: Polygon, ids: Iterator[int]) -> Iterator[
         yield road
         return
     begin, end = road.borders[0], road.borders[-1]
-    middle = Across(*(sum(both) / 2 for both in zip(begin, end, strict=True)))
+    middle = RoadBorders(*(sum(both) / 2 for both in zip(begin, end, strict=True)))
     start = road.line.pose(0.0)
     first = _straight_road(road.id, road.name, start, (begin, middle), (1, 1))
     second = _straight_road(next(ids), road.name, start, (middle, end), (1, 1))
@@ -305,7 +307,7 @@ def _sight(floor: Polygon, pose: Pose) -> float:
 
 def _fitted(
     line: ReferenceLine, half_width: float, half_width_there: float, floor: Polygon
-) -> list[Across]:
+) -> list[RoadBorders]:
     """Return borders as wide as the ways at both ends, but nowhere beyond the floor."""
     steps = math.ceil(line.length / BORDER_STEP) + 1
     places = sorted({*np.linspace(0.0, line.length, steps).tolist(), *line.starts})
@@ -324,10 +326,10 @@ def _fitted(
         walls = shapely.difference(rays, around)
         reach = np.fmin(reach, shapely.distance(shapely.get_point(rays, 0), walls))
         sides.append((side * (reach + apart).min(axis=1)).tolist())
-    return [Across(*each) for each in zip(places, *sides, strict=True)]
+    return [RoadBorders(*each) for each in zip(places, *sides, strict=True)]
 
 
-def _straightened(borders: Sequence[Across]) -> tuple[Across, ...]:
+def _straightened(borders: Sequence[RoadBorders]) -> tuple[RoadBorders, ...]:
     """Leave out places between which both borders run straight."""
     kept: set[float] = set()
     for side in ("right", "left"):
