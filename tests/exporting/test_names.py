@@ -79,6 +79,15 @@ def habitat_told(folder: Path) -> Plan:
     return told
 
 
+def carla_told(folder: Path) -> Plan:
+    stem = folder / "_Gebäude_1_ä"
+    props = Path(f"{stem}.props.json").read_text(encoding="utf-8")
+    (told,) = (each for each in json.loads(props)["things"] if each["id"] == ODD)
+    assert told["category"] == 'quux, "zorp"'
+    assert told["blueprint"] is None
+    return gltf_told(Path(f"{stem}.glb"))
+
+
 @pytest.mark.parametrize(
     ("to", "told"),
     [
@@ -87,6 +96,7 @@ def habitat_told(folder: Path) -> Plan:
         ("mjcf", mjcf_told),
         ("ros_map", ros_map_told),
         ("habitat", habitat_told),
+        ("carla", carla_told),
     ],
 )
 def test_odd_names_and_texts_are_kept(

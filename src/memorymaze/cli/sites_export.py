@@ -1,6 +1,7 @@
 """`memorymaze sites export`: a site in the format of another program."""
 
 import argparse
+import sys
 from pathlib import Path
 
 from memorymaze.cli.verbs import Verbs, add_plan
@@ -39,6 +40,11 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
         type=float,
         help="metres per pixel of a ROS map (default: 0.05)",
     )
+    parser.add_argument(
+        "--lanes",
+        choices=("sidewalk", "driving"),
+        help="for whom the lanes for CARLA are (default: sidewalk)",
+    )
 
 
 def _export(args: argparse.Namespace) -> None:
@@ -47,4 +53,11 @@ def _export(args: argparse.Namespace) -> None:
 
     site = load_site(args.site)
     out: Path = args.out or Path(f"{Path(site.source).stem}{FILE_ENDINGS[args.to]}")
-    print(export_site(site, args.to, out, resolution=args.resolution)[0])
+    files = export_site(
+        site, args.to, out, resolution=args.resolution, lanes=args.lanes
+    )
+    print(files[0])
+    if args.to == "carla" and not any(each.suffix == ".fbx" for each in files):
+        from memorymaze.exporting.carla import WITHOUT_ASSIMP
+
+        print(WITHOUT_ASSIMP, file=sys.stderr)

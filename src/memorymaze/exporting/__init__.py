@@ -24,6 +24,7 @@ FILE_ENDINGS = {
     "mjcf": "_mjcf",
     "ros_map": "_ros_map",
     "habitat": "_habitat",
+    "carla": "_carla",
 }
 """What follows the site's name in that of the file or folder of each format."""
 FORMATS = tuple(FILE_ENDINGS)
@@ -31,7 +32,12 @@ FORMATS = tuple(FILE_ENDINGS)
 
 
 def export_site(
-    site: "Site", to: str, out: str | Path, *, resolution: float | None = None
+    site: "Site",
+    to: str,
+    out: str | Path,
+    *,
+    resolution: float | None = None,
+    lanes: str | None = None,
 ) -> list[Path]:
     """Write a building in the format of another program.
 
@@ -40,6 +46,7 @@ def export_site(
         to: One of `FORMATS`.
         out: File or folder to make, by the format; it must not exist.
         resolution: Metres per pixel of a `ros_map`; None for 0.05.
+        lanes: Type of the lanes for `carla`, `sidewalk` or `driving`; None for the first.
 
     Returns:
         The files written, the one to open first.
@@ -53,13 +60,17 @@ def export_site(
             f"--to: expected one of {', '.join(FORMATS)}; got {to!r}"
             f"{did_you_mean(to, FORMATS)}"
         )
-    options: dict[str, float] = {}
-    if resolution is not None:
-        if to != "ros_map":
-            raise SettingsError(
-                f"--resolution: expected only with --to ros_map, got --to {to}"
-            )
-        options["resolution"] = resolution
+    options: dict[str, float | str] = {}
+    for name, value, of in (
+        ("resolution", resolution, "ros_map"),
+        ("lanes", lanes, "carla"),
+    ):
+        if value is not None:
+            if to != of:
+                raise SettingsError(
+                    f"--{name}: expected only with --to {of}, got --to {to}"
+                )
+            options[name] = value
     if to == "usd":
         require_extra("usd", "pxr", purpose="--to usd")
     out = Path(out)

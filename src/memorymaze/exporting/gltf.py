@@ -47,8 +47,8 @@ def write_gltf(site: Site, out: Path) -> list[Path]:
 class Glb:
     """A file that grows: one node per mesh, under a root that stands for the site."""
 
-    def __init__(self, name: str, extras: Attributes) -> None:
-        """Begin with the root."""
+    def __init__(self, name: str, extras: Attributes, scale: float = 1.0) -> None:
+        """Begin with the root; where a unit is no metre, give how many make one."""
         self._materials = NamedMaterials()
         self._binary = bytearray()
         self._views: list[Json] = []
@@ -56,6 +56,7 @@ class Glb:
         self._meshes: list[Json] = []
         # Not the bare name: a feature may be called as its site.
         self._nodes: list[Json] = [{"name": f"site/{name}", "extras": dict(extras)}]
+        self._scale = scale
         self._mesh_numbers: dict[tuple[object, ...], int] = {}
         self._kept: list[MeshPart] = []
 
@@ -67,7 +68,8 @@ class Glb:
         placed = mesh.placed
         node: Json = {"name": mesh.name, "extras": dict(mesh.attributes)}
         if (placed.x, placed.y, placed.z) != (0.0, 0.0, 0.0):
-            node["translation"] = [placed.x, placed.z, -placed.y]
+            place = placed.x, placed.z, -placed.y
+            node["translation"] = [self._scale * part for part in place]
         if placed.heading:
             half = placed.heading / 2
             node["rotation"] = [0.0, math.sin(half), 0.0, math.cos(half)]
@@ -90,7 +92,7 @@ class Glb:
         """Return the file."""
         images = [
             {
-                "name": name,
+                "name": f"{name}.png",
                 "mimeType": "image/png",
                 "bufferView": self._view(png_of(pixels)),
             }
@@ -155,7 +157,9 @@ class Glb:
         indices = np.ascontiguousarray(part.faces, dtype=np.uint32).ravel()
         return {
             "attributes": {
-                "POSITION": self._vertices(y_up(part.vertices), bounds=True),
+                "POSITION": self._vertices(
+                    self._scale * y_up(part.vertices), bounds=True
+                ),
                 "NORMAL": self._vertices(y_up(unit(part.normals))),
             },
             "indices": self._accessor(indices, ELEMENT_ARRAY_BUFFER),
