@@ -147,7 +147,8 @@ class CarlaWorld:
         mount = carla.Transform(carla.Location(z=height))
         sensor = cast(carla.Sensor, self.spawn(blueprint, mount, parent, attributes))
         self._before_end.append(sensor.stop)
-        sensor.listen(receive)
+        with self.asking(f"what {blueprint} measures"):
+            sensor.listen(receive)
 
     def add_pedestrians(self, start: Pose, rng: np.random.Generator) -> None:
         """Have CARLA's people walk from random places to others.
@@ -169,8 +170,9 @@ class CarlaWorld:
                 walker: Any = self._world.try_spawn_actor(
                     library.find(kind), carla.Transform(where)
                 )
-                walkers += [walker] if walker else []
-            self._spawned += walkers
+                if walker is not None:
+                    walkers.append(walker)
+                    self._spawned.append(walker)
             if len(walkers) < wanted:
                 raise SimulatorError(
                     f"carla_pedestrians: expected room for {wanted}, got {len(walkers)}"
