@@ -104,7 +104,7 @@ class StandInActor:
         self.truth, self._seen = _copy(transform), carla.Transform()
         self._server = server
         self._goal: carla.Location | None = None
-        self._walks = False
+        self.walks = False
         self._max_speed = 1.4
         self.receive: Callable[[Any], object] | None = None
         self.sends_from = 0
@@ -145,11 +145,11 @@ class StandInActor:
     # Controllers of walkers, and sensors.
 
     def stop(self) -> None:
-        self.receive, self._walks = None, False
+        self.receive, self.walks = None, False
 
     def start(self) -> None:
         assert self._seen != carla.Transform(), "a controller starts after a tick"
-        self._walks = True
+        self.walks = True
 
     def go_to_location(self, where: carla.Location) -> None:
         self._goal = where
@@ -158,7 +158,7 @@ class StandInActor:
         self._max_speed = speed
 
     def step(self, seconds: float) -> None:
-        if self._walks and self._goal is not None:
+        if self.walks and self._goal is not None:
             assert self.parent is not None
             here = self.parent.truth.location
             left = here.distance(self._goal)
@@ -274,7 +274,8 @@ class StandInServer:
         for each in commands:
             assert isinstance(each, carla.command.DestroyActor)
             gone = self.actors.pop(each.actor_id, None)
-            errors.append("" if gone else f"unable to destroy actor {each.actor_id}")
+            is_at_rest = gone is not None and not (gone.receive or gone.walks)
+            errors.append("" if is_at_rest else f"unable to destroy {each.actor_id}")
         return [
             SimpleNamespace(error=error, has_error=lambda error=error: bool(error))
             for error in errors

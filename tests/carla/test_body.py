@@ -172,20 +172,25 @@ def test_it_stops_a_radius_before_a_person_and_goes_on_when_they_have_left(
     assert body.pose_in_site().x > 3.9
 
 
+@pytest.mark.parametrize("start", [EAST, Pose(11.0, 5.0, -math.pi / 2)])
 def test_what_touches_it_holds_it_on_that_way_for_half_a_second(
-    put_body: MakeBody, server: StandInServer
+    put_body: MakeBody, server: StandInServer, start: Pose
 ) -> None:
-    body = put_body(EAST)
+    body = put_body(start)
+
+    def after(speed: float, times: int) -> float:
+        """Return metres ahead of the start."""
+        _drive(body, speed, 0.0, times)
+        there = body.pose_in_site()
+        dx, dy = there.x - start.x, there.y - start.y
+        return dx * math.cos(start.heading) + dy * math.sin(start.heading)
+
     server.is_touched = True
-    _drive(body, 0.5, 0.0, 2)
-    held = body.pose_in_site().x
-    _drive(body, 0.5, 0.0, 5)
-    assert body.pose_in_site().x == pytest.approx(held, abs=0.03)
-    held = body.pose_in_site().x
-    _drive(body, -0.5, 0.0, 2)
-    assert body.pose_in_site().x == pytest.approx(held - 0.05, abs=1e-4)
-    _drive(body, 0.5, 0.0, 10)
-    assert body.pose_in_site().x > held + 0.1
+    held = after(0.5, 2)
+    assert after(0.5, 5) == pytest.approx(held, abs=0.03)
+    held = after(0.0, 1)
+    assert after(-0.5, 2) == pytest.approx(held - 0.05, abs=1e-4)
+    assert after(0.5, 10) > held + 0.1
 
 
 def test_its_wheels_tell_of_a_frame_that_begins_where_it_did_and_err_as_asked(

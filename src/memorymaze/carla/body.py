@@ -17,7 +17,6 @@ from memorymaze.carla.frames import carla, pose_of, transform_of
 from memorymaze.carla.sensors import (
     FRAME,
     LIDAR,
-    SHARP,
     SensorFeed,
     depth_of,
     rgb_of,
@@ -108,7 +107,7 @@ class CarlaBody:
         # The origin of a walker is in its middle, that of other bodies at their feet.
         box = self._actor.bounding_box
         self._lift = box.extent.z - box.location.z
-        self._origin, self._shown = floor + self._lift, above
+        self._origin, self._shown = floor + self._lift, start
         world.mount("sensor.other.collision", self._actor, 0.0, self._note_touch)
         self._lidar = self._mount("lidar.ray_cast", LidarSettings().height, LIDAR)
         self._await_first(self._lidar)
@@ -152,8 +151,10 @@ class CarlaBody:
         if asked not in self._cameras:
             fov = f"{math.degrees(horizontal_fov):.9g}"
             lens = {"image_size_x": f"{width}", "image_size_y": f"{height}", "fov": fov}
+            # What is put from place to place would be blurred.
+            sharp = lens | {"motion_blur_intensity": "0"}
             feeds = [
-                self._mount("camera.rgb", CAMERA_HEIGHT, lens | SHARP),
+                self._mount("camera.rgb", CAMERA_HEIGHT, sharp),
                 self._mount("camera.depth", CAMERA_HEIGHT, lens),
             ]
             self._await_first(*feeds)
@@ -225,17 +226,15 @@ class CarlaBody:
         self._look()
 
     def _show(self) -> None:
-        world, before = self._world, self._shown.location
-        wanted = transform_of(self._pose, self._origin)
+        world, before = self._world, self._shown
         with world.asking("to move the body"):
-            if wanted != self._shown:
-                self._actor.set_transform(wanted)
+            self._actor.set_transform(transform_of(self._pose, self._origin))
             self._frame = world.tick()
-            self._shown = self._actor.get_transform()
-        self._pose, self._ahead = pose_of(self._shown), 0
+            self._pose = self._shown = pose_of(self._actor.get_transform())
+        self._ahead = 0
         if self._touched:
             self._touched, self._held_until = False, world.time + HELD
-            self._held_way = self._pose.x - before.x, self._pose.y + before.y
+            self._held_way = self._pose.x - before.x, self._pose.y - before.y
 
     def _look(self) -> None:
         """Scan, and note where in the site something is."""

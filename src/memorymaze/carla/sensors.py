@@ -33,8 +33,6 @@ LIDAR = {
     "dropoff_intensity_limit": "0",
     "dropoff_zero_intensity": "0",
 }
-SHARP = {"motion_blur_intensity": "0"}
-"""Of pictures; what is put somewhere would else be blurred."""
 
 
 class SensorFeed(Generic[_Data]):
