@@ -74,10 +74,6 @@ class RenderingError(MemoryMazeError):
     """No picture can be drawn on this machine; says what to install or to set."""
 
 
-class SimulatorError(MemoryMazeError):
-    """Another program's simulator does not answer or fit; says where and what to start."""
-
-
 class CaseFileError(MemoryMazeError):
     """A file of metric cases cannot be read; names file and place."""
 

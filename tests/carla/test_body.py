@@ -9,7 +9,7 @@ from tests.carla.stand_in import StandInServer
 
 import carla
 from memorymaze.carla.frames import pose_of
-from memorymaze.errors import SettingsError, SimulatorError
+from memorymaze.errors import RobotBodyError, SettingsError
 from memorymaze.geometry.pose import Pose
 from memorymaze.pictures import robot_cameras
 from memorymaze.robot.sensors_and_motion import SensorsAndMotion
@@ -232,7 +232,7 @@ def test_a_sensor_that_leaves_out_a_frame_is_told(
     body = put_body(carla_timeout=0.05)
     lost = server.frame + 3
     server.lost = lambda kind, frame: "lidar" in kind and frame == lost
-    with pytest.raises(SimulatorError, match=f"ray_cast: expected frame {lost} within"):
+    with pytest.raises(RobotBodyError, match=f"ray_cast: expected frame {lost} within"):
         _drive(body, 0.1, 0.0, 5)
 
 
@@ -241,9 +241,9 @@ def test_a_server_that_dies_half_way_is_told_and_so_is_that_nothing_was_taken_ou
 ) -> None:
     body = put_body(carla_host="far", carla_port=2004, carla_timeout=3)
     server.die(after=4)
-    with pytest.raises(SimulatorError) as told:
+    with pytest.raises(RobotBodyError) as told:
         _drive(body, 0.5, 0.0, 10)
     for words in ("far:2004", "compute a frame", "time-out of 3000ms", "./CarlaUE4.sh"):
         assert words in str(told.value)
-    with pytest.raises(SimulatorError, match="end the episode"):
+    with pytest.raises(RobotBodyError, match="end the episode"):
         body.close()

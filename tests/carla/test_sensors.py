@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from memorymaze.carla.sensors import SensorFeed, depth_of, rgb_of, scan_of
-from memorymaze.errors import SimulatorError
+from memorymaze.errors import RobotBodyError
 
 
 def _picture(*bgra: tuple[int, int, int, int]) -> Any:
@@ -96,5 +96,5 @@ def test_a_frame_that_never_comes_is_told_with_its_sensor(
     feed = SensorFeed[Any]("sensor.lidar.ray_cast")
     for frame in came:
         feed.keep(_data(frame))
-    with pytest.raises(SimulatorError, match=rf"ray_cast: expected frame 7 .*{words}"):
+    with pytest.raises(RobotBodyError, match=rf"ray_cast: expected frame 7 .*{words}"):
         feed.at(7, 0.01)

@@ -13,7 +13,7 @@ from tests.carla.stand_in_robot import factory
 
 from memorymaze import extras
 from memorymaze.carla import CarlaBody, CarlaOptions, frames
-from memorymaze.errors import SettingsError, SimulatorError
+from memorymaze.errors import RobotBodyError, SettingsError
 from memorymaze.geometry.pose import Pose
 from memorymaze.options import list_options, read_options
 from memorymaze.sites import Site
@@ -123,7 +123,7 @@ def _another_version(server: StandInServer) -> dict[str, Any]:
 def test_what_goes_wrong_at_the_beginning_is_told_and_leaves_nothing(
     put_body: MakeBody, server: StandInServer, goes_wrong: Any, words: str
 ) -> None:
-    with pytest.raises(SimulatorError, match=words):
+    with pytest.raises(RobotBodyError, match=words):
         put_body(**goes_wrong(server))
     assert _is_as_before(server)
 
@@ -143,9 +143,15 @@ def test_a_beginning_that_is_interrupted_leaves_nothing(
 def test_where_no_server_is_the_client_of_carla_says_so_in_time(l_site: Site) -> None:
     """The real one, on a port where nothing listens."""
     options = CarlaOptions("127.0.0.1", 1, 0.2)
-    with pytest.raises(SimulatorError) as told:
+    rng = np.random.default_rng(0)
+    with pytest.raises(RobotBodyError) as told:
         CarlaBody(
-            l_site, START, RobotSettings(), np.random.default_rng(0), options=options
+            l_site,
+            START,
+            RobotSettings(),
+            rng,
+            options=options,
+            opendrive=lambda _: TINY_OPENDRIVE,
         )
     for words in ("127.0.0.1:1", "time-out of 200ms", "-carla-rpc-port=1", "0.2 s"):
         assert words in str(told.value)

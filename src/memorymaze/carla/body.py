@@ -9,30 +9,24 @@ tells.
 import math
 from collections.abc import Callable
 from contextlib import suppress
+from functools import cache
 from typing import Any
 
 import numpy as np
 
 from memorymaze.carla.frames import carla, pose_of, transform_of
-from memorymaze.carla.sensors import (
-    FRAME,
-    LIDAR,
-    SensorFeed,
-    depth_of,
-    rgb_of,
-    scan_of,
-)
+from memorymaze.carla.sensors import FRAME, LIDAR, SensorFeed, depth_of, rgb_of, scan_of
 from memorymaze.carla.settings import CarlaOptions
 from memorymaze.carla.world import CarlaWorld, connect_to_server
-from memorymaze.errors import SimulatorError
+from memorymaze.errors import RobotBodyError
 from memorymaze.geometry.pose import Pose, wrap_angle
-from memorymaze.options import check_number, parse_options
+from memorymaze.options import check_number
 from memorymaze.robot.sensors_and_motion import OdometryReading
 from memorymaze.robot.steps import CameraPicture, LidarScan
 from memorymaze.simulation.motion.kinematic_base import arc_chord, held_back
 from memorymaze.simulation.motion.wheeled_base import CAMERA_HEIGHT
 from memorymaze.simulation.senses.lidar import LidarSettings
-from memorymaze.simulation.senses.odometry import Odometry, OdometrySettings
+from memorymaze.simulation.senses.odometry import Odometry
 from memorymaze.sites.records import Site
 from memorymaze.steering.settings import ROBOT_RADIUS, TICK, RobotSettings
 
@@ -43,8 +37,9 @@ HELD = 0.5
 """Seconds for which a body that was touched does not go on that way."""
 
 
+@cache
 def site_opendrive(site: Site) -> str:
-    """Return a site as OpenDRIVE."""
+    """Return a site as OpenDRIVE, which takes seconds, once for all episodes in it."""
     from memorymaze.exporting.opendrive import opendrive
 
     return opendrive(site)
@@ -72,27 +67,26 @@ class CarlaBody:
         `connect` and `opendrive` return stands in for CARLA's client and the site's text.
 
         Raises:
-            SimulatorError: There is no server, or it cannot do what is needed. Nothing is
+            RobotBodyError: There is no server, or it cannot do what is needed. Nothing is
                 left in it.
         """
         self._options = options or CarlaOptions()
-        self._wheels: Odometry | None = None
         odometry_rng, crowd_rng = rng.spawn(2)
-        if (errors := self._options.carla_odometry) != "exact":
-            off = parse_options(OdometrySettings, errors, subject="carla_odometry")
-            self._wheels = Odometry(start, off, odometry_rng)
+        errors = self._options.wheel_errors()
+        self._wheels = None if errors is None else Odometry(start, errors, odometry_rng)
         self._pose, self._speed = start, 0.0
         self._ahead = 0
         """Ticks that have passed for the body since the server's last frame."""
         self._touched = False
         self._held_until, self._held_way = -math.inf, (0.0, 0.0)
         self._cameras: dict[tuple[int, int, float], list[SensorFeed[Any]]] = {}
-        self._world = CarlaWorld(self._options, connect, lambda: opendrive(site))
+        text = "" if self._options.carla_map else opendrive(site)
+        self._world = CarlaWorld(self._options, connect, text)
         try:
             self._enter(crowd_rng)
         except BaseException:
             # What went wrong first is what to tell.
-            with suppress(SimulatorError):
+            with suppress(RobotBodyError):
                 self.close()
             raise
 
@@ -171,7 +165,7 @@ class CarlaBody:
         """Take all of it out of the world, and let the server run by itself.
 
         Raises:
-            SimulatorError: The server does not answer any more.
+            RobotBodyError: The server does not answer any more.
         """
         self._world.close()
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from memorymaze.carla.frames import carla
-from memorymaze.errors import SimulatorError
+from memorymaze.errors import RobotBodyError
 from memorymaze.robot.steps import LidarScan
 
 _Data = TypeVar("_Data", bound=carla.SensorData)
@@ -42,13 +42,14 @@ class SensorFeed(Generic[_Data]):
         """Begin with nothing; messages begin with the name."""
         self._name = name
         self._latest: _Data | None = None
+        self._newest = -1
         self._arrived = threading.Condition()
 
     def keep(self, data: _Data) -> None:
         """Take what the sensor measured."""
         with self._arrived:
-            if self._latest is None or data.frame > self._latest.frame:
-                self._latest = data
+            if data.frame > self._newest:
+                self._latest, self._newest = data, data.frame
                 self._arrived.notify_all()
 
     def came(self, frame: int, seconds: float) -> bool:
@@ -56,21 +57,17 @@ class SensorFeed(Generic[_Data]):
         with self._arrived:
             return self._arrived.wait_for(lambda: self._newest >= frame, seconds)
 
-    @property
-    def _newest(self) -> int:
-        return -1 if self._latest is None else self._latest.frame
-
     def at(self, frame: int, seconds: float) -> _Data:
         """Return what it measured in a frame, for which it is awaited for so long.
 
         Raises:
-            SimulatorError: It does not come, or a later one came instead.
+            RobotBodyError: It does not come, or a later one came instead.
         """
         self.came(frame, seconds)
         latest = self._latest
         if latest is None or latest.frame != frame:
             got = "none" if latest is None else f"frame {latest.frame} as the last"
-            raise SimulatorError(
+            raise RobotBodyError(
                 f"{self._name}: expected frame {frame} within {seconds:g} s, got {got}; "
                 "give a longer carla_timeout, and let no other client tick the server"
             )

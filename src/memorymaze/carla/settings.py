@@ -2,7 +2,8 @@
 
 from dataclasses import dataclass
 
-from memorymaze.options import check_number
+from memorymaze.options import check_number, parse_options
+from memorymaze.simulation.senses.odometry import OdometrySettings
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,10 +28,20 @@ class CarlaOptions:
     """CARLA's pedestrians who walk about."""
     carla_odometry: str = "exact"
     """exact (where the body is in the building), or its wheels' from the start on, by
-    their errors: scale_error=0.01,heading_noise=0.005."""
+    their errors: scale_error=0.01+heading_noise=0.005."""
 
     def __post_init__(self) -> None:
-        """Check every number."""
+        """Check every value."""
         check_number("carla_port", self.carla_port, 1, 65533, whole=True)
         check_number("carla_timeout", self.carla_timeout, above=0)
         check_number("carla_pedestrians", self.carla_pedestrians, least=0, whole=True)
+        self.wheel_errors()
+
+    def wheel_errors(self) -> OdometrySettings | None:
+        """Return how far its wheels' odometry is off; None where it is exact."""
+        # Commas stand between a body's options.
+        errors, subject = self.carla_odometry.replace("+", ","), "carla_odometry"
+        exact = errors == "exact"
+        return (
+            None if exact else parse_options(OdometrySettings, errors, subject=subject)
+        )

@@ -9,7 +9,7 @@ import numpy as np
 from memorymaze.carla.frames import carla, transform_of
 from memorymaze.carla.sensors import FRAME
 from memorymaze.carla.settings import CarlaOptions
-from memorymaze.errors import SimulatorError
+from memorymaze.errors import RobotBodyError
 from memorymaze.geometry.pose import Pose
 
 SEARCHED = 1.0
@@ -32,12 +32,12 @@ class CarlaWorld:
         self,
         options: CarlaOptions,
         connect: Callable[[CarlaOptions], carla.Client],
-        opendrive: Callable[[], str],
+        opendrive: str,
     ) -> None:
         """Load the map, or generate it from OpenDRIVE; `stop_clock` comes next.
 
         Raises:
-            SimulatorError: No server answers, or one of another version.
+            RobotBodyError: No server answers, or one of another version.
         """
         self._options = options
         self._name = f"CARLA at {options.carla_host}:{options.carla_port}"
@@ -51,27 +51,26 @@ class CarlaWorld:
             theirs = self._client.get_server_version()
             ours = self._client.get_client_version()
             if theirs != ours:
-                raise SimulatorError(
+                raise RobotBodyError(
                     f"{self._name}: expected a server of version {ours}, as the Python "
                     f"package carla, got {theirs}; start the one or install the other"
                 )
             self._world = self._load(opendrive)
 
-    def _load(self, opendrive: Callable[[], str]) -> carla.World:
+    def _load(self, opendrive: str) -> carla.World:
         """Return a world with the map, which stays loaded from episode to episode."""
         world, wanted = self._client.get_world(), self._options.carla_map
         loaded = world.get_map()
         if wanted:
             is_loaded = loaded.name.split("/")[-1] == wanted.split("/")[-1]
             return world if is_loaded else self._client.load_world(wanted)
-        text = opendrive()
-        if loaded.to_opendrive() == text:
+        if loaded.to_opendrive() == opendrive:
             return world
         parameters = carla.OpendriveGenerationParameters(
             vertex_distance=0.5, wall_height=2.5, additional_width=0.0
         )
         # Its types leave out what it returns.
-        made: Any = self._client.generate_opendrive_world(text, parameters)
+        made: Any = self._client.generate_opendrive_world(opendrive, parameters)
         return made
 
     def stop_clock(self) -> None:
@@ -91,7 +90,7 @@ class CarlaWorld:
             yield
         # What the client raises; IndexError for names that there are not.
         except (RuntimeError, IndexError) as error:
-            raise SimulatorError(
+            raise RobotBodyError(
                 f"{self._name}, asked {what}: {error}. A server must run there (type "
                 f"./CarlaUE4.sh -RenderOffScreen -carla-rpc-port="
                 f"{self._options.carla_port}; or give carla_host, carla_port) and answer "
@@ -112,7 +111,7 @@ class CarlaWorld:
             # Its types leave out that there may be none.
             below: Any = self._world.ground_projection(above, 2 * SEARCHED)
         if below is None:
-            raise SimulatorError(
+            raise RobotBodyError(
                 f"{self._name}: expected a floor at ({pose.x:.2f}, {pose.y:.2f}) of the "
                 f"site, at most {SEARCHED:g} m from height 0, got none; give the map "
                 "that was made of this site, or leave carla_map out"
@@ -154,7 +153,7 @@ class CarlaWorld:
         """Have CARLA's people walk from random places to others.
 
         Raises:
-            SimulatorError: Nobody can walk on this map, or there is no room for so many.
+            RobotBodyError: Nobody can walk on this map, or there is no room for so many.
         """
         wanted, walkers = self._options.carla_pedestrians, list[carla.Actor]()
         with self.asking("for pedestrians"):
@@ -174,7 +173,7 @@ class CarlaWorld:
                     walkers.append(walker)
                     self._spawned.append(walker)
             if len(walkers) < wanted:
-                raise SimulatorError(
+                raise RobotBodyError(
                     f"carla_pedestrians: expected room for {wanted}, got {len(walkers)}"
                 )
             minds = [
@@ -192,7 +191,7 @@ class CarlaWorld:
         # Its types leave out that there may be none.
         where: Any = self._world.get_random_location_from_navigation()
         if where is None:
-            raise SimulatorError(
+            raise RobotBodyError(
                 "carla_pedestrians: expected a map with navigation for pedestrians, got "
                 "one without; give carla_pedestrians=0, or another map"
             )
@@ -202,7 +201,7 @@ class CarlaWorld:
         """Let the server run by itself again, and take out all that was put in.
 
         Raises:
-            SimulatorError: It does not answer any more, or keeps something.
+            RobotBodyError: It does not answer any more, or keeps something.
         """
         if not self._is_open:
             return
@@ -220,4 +219,4 @@ class CarlaWorld:
             ]
             for answer in self._client.apply_batch_sync(parting, False):
                 if answer.has_error():
-                    raise SimulatorError(f"{self._name} keeps a thing: {answer.error}")
+                    raise RobotBodyError(f"{self._name} keeps a thing: {answer.error}")
