@@ -20,6 +20,40 @@ from memorymaze.simulation.settings import TIMESTEP, SimulationSettings
 from memorymaze.steering.settings import ROBOT_RADIUS
 
 
+def arc_chord(heading: float, speed: float, turn_rate: float, seconds: float) -> XY:
+    """Return how far speeds lead, metres along the axes in which headings are told."""
+    half = turn_rate * seconds / 2
+    chord = speed * seconds * (math.sin(half) / half if half else 1.0)
+    return chord * math.cos(heading + half), chord * math.sin(heading + half)
+
+
+def held_back(
+    place: XY, motion: XY, near: Iterable[tuple[int, XY]]
+) -> tuple[XY, dict[int, XY]]:
+    """Return what is left of a robot's motion, and where it touches what.
+
+    `near` are the numbers of what stands within its reach, and the nearest points;
+    nearest first. It stops a radius before each, and slides along.
+    """
+    (x, y), (dx, dy) = place, motion
+    touched: dict[int, XY] = {}
+    within: list[tuple[int, XY, XY, float]] = []
+    for number, point in near:
+        distance = math.dist(place, point)
+        if distance > 0:
+            normal = (point[0] - x) / distance, (point[1] - y) / distance
+            within.append((number, point, normal, max(distance - ROBOT_RADIUS, 0.0)))
+    for number, point, (nx, ny), gap in within:
+        excess = dx * nx + dy * ny - gap
+        if excess > 0:
+            dx, dy = dx - excess * nx, dy - excess * ny
+            touched[number] = point
+    # In a corner, sliding along the one leads into the other.
+    if any(dx * nx + dy * ny > gap + 1e-9 for _, _, (nx, ny), gap in within):
+        return (0.0, 0.0), touched
+    return (dx, dy), touched
+
+
 class Touchables:
     """What a robot may touch, on the plan; shared by all robots of a building."""
 
@@ -109,34 +143,14 @@ class KinematicBase:
     ) -> None:
         """Go along an arc, or as much of it as there is room for."""
         x, y, heading = self.pose
-        half = turn_rate * seconds / 2
-        chord = speed * seconds * (math.sin(half) / half if half else 1.0)
-        dx, dy = chord * math.cos(heading + half), chord * math.sin(heading + half)
+        dx, dy = arc_chord(heading, speed, turn_rate, seconds)
         if may_touch:
-            dx, dy = self._held_back((x, y), dx, dy)
-        self.pose = Pose(x + dx, y + dy, wrap_angle(heading + 2 * half))
+            reach = ROBOT_RADIUS + math.hypot(dx, dy)
+            near = self._touchables.near((x, y), reach)
+            (dx, dy), touched = held_back((x, y), (dx, dy), near)
+            self._touched |= touched
+        self.pose = Pose(x + dx, y + dy, wrap_angle(heading + turn_rate * seconds))
         self.velocity = dx / seconds, dy / seconds
-
-    def _held_back(self, place: XY, dx: float, dy: float) -> XY:
-        """Return what is left of a motion beside all that stands within its reach."""
-        x, y = place
-        within = []
-        for geom, point in self._touchables.near(
-            place, ROBOT_RADIUS + math.hypot(dx, dy)
-        ):
-            distance = math.dist(place, point)
-            if distance > 0:
-                normal = (point[0] - x) / distance, (point[1] - y) / distance
-                within.append((geom, point, normal, max(distance - ROBOT_RADIUS, 0.0)))
-        for geom, point, (nx, ny), gap in within:
-            excess = dx * nx + dy * ny - gap
-            if excess > 0:
-                dx, dy = dx - excess * nx, dy - excess * ny
-                self._touched[geom] = point
-        # In a corner, sliding along the one leads into the other.
-        if any(dx * nx + dy * ny > gap + 1e-9 for _, _, (nx, ny), gap in within):
-            return 0.0, 0.0
-        return dx, dy
 
     def rest(self, steps: int) -> None:
         """See `WheeledBase.rest`."""

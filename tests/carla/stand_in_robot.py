@@ -1,0 +1,43 @@
+"""A robot for `evaluate --robot`: the body in CARLA, on a server that is our simulation.
+
+memorymaze evaluate --robot tests/carla/stand_in_robot.py:factory
+"""
+
+import runpy
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from memorymaze.carla import CarlaBody, CarlaOptions
+from memorymaze.geometry.pose import Pose
+from memorymaze.sites import Site
+from memorymaze.steering.settings import RobotSettings
+
+_stand_in = runpy.run_path(str(Path(__file__).with_name("stand_in.py")))
+_servers: dict[str, Any] = {}
+
+
+def factory(
+    site: Site,
+    start: Pose,
+    settings: RobotSettings,
+    rng: np.random.Generator,
+    *,
+    options: CarlaOptions,
+) -> CarlaBody:
+    """Put the body on its start; the server of a site goes on from episode to episode."""
+    if site.name not in _servers:
+        _servers[site.name] = _stand_in["StandInServer"](site)
+    return CarlaBody(
+        site,
+        start,
+        settings,
+        rng,
+        options=options,
+        connect=_servers[site.name].connect,
+        opendrive=lambda _: _stand_in["TINY_OPENDRIVE"],
+    )
+
+
+factory.Options = CarlaOptions  # type: ignore[attr-defined]
