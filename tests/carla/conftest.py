@@ -37,7 +37,7 @@ def put_body(server: StandInServer) -> Iterator[MakeBody]:
                 rng,
                 options=CarlaOptions(**options),
                 connect=server.connect,
-                opendrive=lambda _: TINY_OPENDRIVE,
+                write_map=lambda _: TINY_OPENDRIVE,
             )
         )
         return made[-1]

@@ -36,7 +36,7 @@ def factory(
         rng,
         options=options,
         connect=_servers[site.name].connect,
-        opendrive=lambda _: _stand_in["TINY_OPENDRIVE"],
+        write_map=lambda _: _stand_in["TINY_OPENDRIVE"],
     )
 
 

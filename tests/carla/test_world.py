@@ -151,7 +151,7 @@ def test_where_no_server_is_the_client_of_carla_says_so_in_time(l_site: Site) ->
             RobotSettings(),
             rng,
             options=options,
-            opendrive=lambda _: TINY_OPENDRIVE,
+            write_map=lambda _: TINY_OPENDRIVE,
         )
     for words in ("127.0.0.1:1", "time-out of 200ms", "-carla-rpc-port=1", "0.2 s"):
         assert words in str(told.value)

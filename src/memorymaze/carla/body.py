@@ -19,6 +19,8 @@ from memorymaze.carla.sensors import FRAME, LIDAR, SensorFeed, depth_of, rgb_of,
 from memorymaze.carla.settings import CarlaOptions
 from memorymaze.carla.world import CarlaWorld, connect_to_server
 from memorymaze.errors import RobotBodyError
+from memorymaze.exporting.carla import generation_parameters
+from memorymaze.exporting.opendrive import opendrive
 from memorymaze.geometry.pose import Pose, wrap_angle
 from memorymaze.options import check_number
 from memorymaze.robot.sensors_and_motion import OdometryReading
@@ -30,19 +32,12 @@ from memorymaze.simulation.senses.odometry import Odometry
 from memorymaze.sites.records import Site
 from memorymaze.steering.settings import ROBOT_RADIUS, TICK, RobotSettings
 
+map_of_site = cache(opendrive)
 FRAME_TICKS = round(FRAME / TICK)
 WARM_UP, PATIENCE = 20, 1.0
 """Frames that a new sensor may leave out, and seconds that each is awaited."""
 HELD = 0.5
 """Seconds for which a body that was touched does not go on that way."""
-
-
-@cache
-def site_opendrive(site: Site) -> str:
-    """Return a site as OpenDRIVE, which takes seconds, once for all episodes in it."""
-    from memorymaze.exporting.opendrive import opendrive
-
-    return opendrive(site)
 
 
 class CarlaBody:
@@ -59,12 +54,13 @@ class CarlaBody:
         *,
         options: CarlaOptions | None = None,
         connect: Callable[[CarlaOptions], carla.Client] = connect_to_server,
-        opendrive: Callable[[Site], str] = site_opendrive,
+        write_map: Callable[[Site], str] = map_of_site,
     ) -> None:
         """Put it at rest on its start pose; `settings` are for steering alone.
 
         Children of `rng` give the noise of odometry and where pedestrians walk. What
-        `connect` and `opendrive` return stands in for CARLA's client and the site's text.
+        `connect` and `write_map` return stands in for CARLA's client and the site's
+        OpenDRIVE, which takes seconds to write.
 
         Raises:
             RobotBodyError: There is no server, or it cannot do what is needed. Nothing is
@@ -80,8 +76,10 @@ class CarlaBody:
         self._touched = False
         self._held_until, self._held_way = -math.inf, (0.0, 0.0)
         self._cameras: dict[tuple[int, int, float], list[SensorFeed[Any]]] = {}
-        text = "" if self._options.carla_map else opendrive(site)
-        self._world = CarlaWorld(self._options, connect, text)
+        text = "" if self._options.carla_map else write_map(site)
+        self._world = CarlaWorld(
+            self._options, connect, text, generation_parameters(site)
+        )
         try:
             self._enter(crowd_rng)
         except BaseException:

@@ -33,8 +33,11 @@ class CarlaWorld:
         options: CarlaOptions,
         connect: Callable[[CarlaOptions], carla.Client],
         opendrive: str,
+        generation: Mapping[str, Any],
     ) -> None:
         """Load the map, or generate it from OpenDRIVE; `stop_clock` comes next.
+
+        `generation` has members of CARLA's `OpendriveGenerationParameters`.
 
         Raises:
             RobotBodyError: No server answers, or one of another version.
@@ -55,9 +58,9 @@ class CarlaWorld:
                     f"{self._name}: expected a server of version {ours}, as the Python "
                     f"package carla, got {theirs}; start the one or install the other"
                 )
-            self._world = self._load(opendrive)
+            self._world = self._load(opendrive, generation)
 
-    def _load(self, opendrive: str) -> carla.World:
+    def _load(self, opendrive: str, generation: Mapping[str, Any]) -> carla.World:
         """Return a world with the map, which stays loaded from episode to episode."""
         world, wanted = self._client.get_world(), self._options.carla_map
         loaded = world.get_map()
@@ -66,9 +69,7 @@ class CarlaWorld:
             return world if is_loaded else self._client.load_world(wanted)
         if loaded.to_opendrive() == opendrive:
             return world
-        parameters = carla.OpendriveGenerationParameters(
-            vertex_distance=0.5, wall_height=2.5, additional_width=0.0
-        )
+        parameters = carla.OpendriveGenerationParameters(**generation)
         # Its types leave out what it returns.
         made: Any = self._client.generate_opendrive_world(opendrive, parameters)
         return made

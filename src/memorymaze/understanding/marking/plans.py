@@ -44,6 +44,7 @@ A_STOP, ANOTHER_LEG = 40, 40
 """Characters that a stop, and another leg, count for between two marks."""
 _STOP = re.compile(r"[,.;:!?\n]")
 _SENTENCE_END = re.compile(r"[.!?\n]")
+_TOWARDS = re.compile(r"\btowards?\b", re.IGNORECASE)
 _SLIGHT = re.compile(r"\b(?:slight|gentl|bit\b|little|soft)", re.IGNORECASE)
 _WALKS = re.compile(
     r"\b(?:walk|straight|along|down|until|till|continue|keep|ahead|forward|follow|pass"
@@ -89,6 +90,11 @@ class _Part:
         }
 
     @property
+    def is_new(self) -> bool:
+        """Whether nothing was said of its way yet."""
+        return not (self.mentions or self.lengths or self.passings)
+
+    @property
     def is_bare(self) -> bool:
         """Whether nothing says where along the way its turn is."""
         where = ("ordinal", "at_end", "junction", "forced")
@@ -130,6 +136,12 @@ class _Assembly:
             self._place(mark)
         for mark in self._marks:
             self._relate(mark)
+        for part in self._parts:
+            if any(
+                m["kind"] == "floor" and m["place"] == "turn" for m in part.mentions
+            ):
+                # Where floors meet, as in a corner: no word of how many ways there are.
+                part.turn.pop("junction", None)
         last = self._parts[-1]
         arrival: dict[str, Any] = {
             "nth": last.turn.get("ordinal"),
@@ -256,7 +268,13 @@ class _Assembly:
                     mention |= {"phrase": phrase, "place": place}
                     mention["kind"] = "floor" if is_floor(phrase) else kind_of(phrase)
                     mention["ignored"] = kind == "ignore"
-                    part.mentions.append(mention)
+                    if not self._is_ahead(mark, mention, part):
+                        part.mentions.append(mention)
+                self._things.append((mark, mention))
+            case "dest" if phrase and is_floor(phrase):
+                # Nobody stops at a floor: it shows where.
+                mention = {"phrase": phrase, "place": "turn", "kind": "floor"}
+                part.mentions.append(mention)
                 self._things.append((mark, mention))
             case "dest":
                 if phrase and phrase not in self._names:
@@ -272,6 +290,29 @@ class _Assembly:
                 self._start["from_" if value == "from" else value] = phrase
             case _:
                 pass
+
+    def _is_ahead(self, mark: Mark, mention: dict[str, Any], part: _Part) -> bool:
+        """Take what is walked towards, or on, from the beginning of a stretch.
+
+        It is what one faces at the start, or what the turn before leads to.
+        """
+        if mention["place"] != "along" or mention["ignored"] or not part.is_new:
+            return False
+        before = self._text[max(mark.start - NEAR, 0) : mark.start]
+        on_it = mention["kind"] == "floor"
+        if not (on_it or _TOWARDS.search(_SENTENCE_END.split(before)[-1])):
+            return False
+        number = next(n for n, each in enumerate(self._parts) if each is part)
+        if number == 0:
+            self._start.setdefault("facing", mention["phrase"])
+            return on_it
+        if not on_it:
+            return False
+        mention |= {"place": "target", "side": "ahead"}
+        earlier = self._parts[number - 1].mentions
+        if not any(each["phrase"] == mention["phrase"] for each in earlier[-2:]):
+            earlier.append(mention)
+        return True
 
     def _relate(self, mark: Mark) -> None:
         """Give sides, numbers and doubts to what stands nearest."""
