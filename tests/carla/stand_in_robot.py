@@ -41,3 +41,18 @@ def factory(
 
 
 factory.Options = CarlaOptions  # type: ignore[attr-defined]
+
+
+def second_dies(*given: Any, options: CarlaOptions) -> CarlaBody:
+    """Do the same on servers of which the second dies after two seconds."""
+    _servers.clear()
+    body = factory(*given, options=options)
+    _made.append(body)
+    if len(_made) == 2:
+        [server] = _servers.values()
+        server.die(after=40)
+    return body
+
+
+_made: list[CarlaBody] = []
+second_dies.Options = CarlaOptions  # type: ignore[attr-defined]

@@ -80,3 +80,10 @@ def no_body(*given: Any) -> str:
 def unreachable(*given: Any) -> Localised:
     """Raise, as where no robot is there."""
     raise ConnectionError("nobody answers")
+
+
+class Stays(Localised):
+    """The same, which cannot be put away."""
+
+    def close(self) -> None:
+        raise OSError("stuck in the door")

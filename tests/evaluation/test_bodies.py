@@ -111,6 +111,14 @@ def test_a_body_that_dies_costs_its_episode_and_not_the_run(
     assert (ends.count("crash"), ends.count("agent")) == (1, len(ends) - 1)
 
 
+def test_a_body_that_cannot_be_put_away_is_told_and_its_episode_counts(
+    follow: Follow,
+) -> None:
+    with pytest.warns(UserWarning, match="not put away: stuck in the door"):
+        run = follow(f"{MODULE}:Stays")
+    assert run.result.success
+
+
 def test_what_holds_a_body_ends_its_move(follow: Follow) -> None:
     run = follow(f"{MODULE}:Localised", GoesAhead(40.0))
     free = follow(None, GoesAhead(40.0))

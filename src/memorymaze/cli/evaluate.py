@@ -170,7 +170,10 @@ def _announce(workforce: "Workforce", plan: "RunPlan", out: Path) -> None:
     """Say what is to be run, and what that will ask and cost."""
     from memorymaze.evaluation.estimates import said_beforehand
     from memorymaze.evaluation.in_words import budget_words
+    from memorymaze.evaluation.local_workers import LocalWorkforce
 
+    if isinstance(workforce, LocalWorkforce):
+        workforce = LocalWorkforce(workforce.number(plan.settings))
     print(
         f"{counted(len(plan.episodes), 'episode')} on {', '.join(plan.sites)}; "
         f"{workforce}; {budget_words(plan.settings)}; into {out}",

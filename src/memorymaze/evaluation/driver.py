@@ -36,9 +36,6 @@ def run_plan(
     takes more real seconds than the run's `wall_limit` is given up as `crash`.
     `SpendingLimitReached` and `KeyboardInterrupt` are passed on when all workers have ended.
     """
-    if workers == 0 and plan.settings.robot is not None:
-        # One simulator, or one robot of steel, serves one episode at a time.
-        workers = 1
     workforce = LocalWorkforce(workers) if isinstance(workers, int) else workers
     workforce.check(plan.settings)
     path = Path(folder)
@@ -95,7 +92,11 @@ def _next_try(task: EpisodeTask, lost: Lost) -> EpisodeTask:
     if task.lost:
         raise MemoryMazeError(
             f"episode {task.episode.id!r} cannot even be recorded as a crash: "
-            f"{lost.reason}, after {task.lost}"
+            + (
+                f"again {lost.reason}"
+                if lost.reason == task.lost
+                else f"{lost.reason}, after {task.lost}"
+            )
         )
     if task.tries == 0 and not lost.overdue:
         return replace(task, tries=1)

@@ -36,7 +36,7 @@ class LocalWorkforce:
     """Processes on this machine."""
 
     workers: int = 0
-    """0 for one per core."""
+    """0 for one per core; for one alone where robots have a body of a user's own."""
 
     def __str__(self) -> str:
         """Say how many there are."""
@@ -45,9 +45,17 @@ class LocalWorkforce:
     def check(self, settings: RunDefinition) -> None:
         """Refuse nothing: this machine made the plan."""
 
+    def number(self, settings: RunDefinition) -> int:
+        """Return how many work on a run.
+
+        One simulator, or one robot of steel, serves one episode at a time.
+        """
+        one_alone = settings.robot is not None
+        return self.workers or (1 if one_alone else available_cores())
+
     def source(self, plan: RunPlan, folder: Path, episodes: int) -> "LocalSource":
         """Return processes for a plan; no more of them than there are episodes."""
-        count = min(self.workers or available_cores(), episodes)
+        count = min(self.number(plan.settings), episodes)
         # Threads of a model wait for each other: one without a core holds up all.
         threads = max(1, available_cores() // max(1, count) - 1)
         agent = plan.settings.agent

@@ -1,6 +1,7 @@
 """`OwnBody`: a body of a user's own in a building that has a plan."""
 
 import math
+import warnings
 from collections import deque
 from collections.abc import Callable
 from typing import Protocol, TypeVar, runtime_checkable
@@ -141,9 +142,19 @@ class OwnBody(BodyInSite):
         )
 
     def close(self) -> None:
-        """Let go of the user's body, where that can be closed."""
-        if isinstance(self.body, CanBeClosed):
+        """Let go of the user's body, where that can be closed.
+
+        One that cannot be put away is told, and takes nothing from its episode.
+        """
+        if not isinstance(self.body, CanBeClosed):
+            return
+        try:
             self.body.close()
+        except Exception as error:
+            if self.lost is None:
+                warnings.warn(
+                    f"the robot's body is not put away: {error}", stacklevel=2
+                )
 
     def _asked(self, call: Callable[[], _Answer]) -> _Answer:
         """Return what the user's body answers; what it raises ends the episode."""
