@@ -1,7 +1,7 @@
 """How agents walk on a robot that knows no plan: its LiDAR and odometry alone steer it.
 
 `python -m benchmarks.sensed_steering [--agents NAME …] [--limit N] [--obstacles SETTINGS]
-[--noise]` has each agent follow the same texts three times: with the plan, with the plan's
+[--noise SETTINGS]` has each agent follow the same texts three times: with the plan, with the plan's
 ways but turning points by LiDAR, and with nothing but what the simulated body tells through
 `SensorsAndMotion`. Detector and reader of signs are those that know the truth each time.
 """
@@ -14,7 +14,6 @@ from functools import partial
 
 import numpy as np
 
-from benchmarks.turning_points import NOISY_LIDAR, NOISY_ODOMETRY
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.episode import run_episode
 from memorymaze.evaluation.named_settings import with_choices
@@ -50,17 +49,13 @@ COLUMNS = {
 }
 
 
-def walked(plan: RunPlan, known: Known, noise: bool) -> list[EpisodeResult]:
+def walked(plan: RunPlan, known: Known) -> list[EpisodeResult]:
     make_robot: Callable[..., SimulatedRobot] = SimulatedRobot
     if not known.plan:
-        make_robot = partial(
-            SimulatedRobot,
-            knows_plan=False,
-            lidar=NOISY_LIDAR if noise else None,
-            odometry=NOISY_ODOMETRY if noise else None,
-        )
+        make_robot = partial(SimulatedRobot, knows_plan=False)
+    obstacles, noise = plan.settings.obstacles, plan.settings.noise
     arenas = {
-        name: Arena(site, plan.settings.obstacles, make_robot=make_robot)
+        name: Arena(site, obstacles, make_robot=make_robot, noise=noise)
         for name, site in plan.sites.items()
     }
     results: list[EpisodeResult] = []
@@ -78,7 +73,7 @@ def main() -> int:
     parser.add_argument("--agents", nargs="+", default=AGENTS)
     parser.add_argument("--limit", type=int, default=24)
     parser.add_argument("--obstacles")
-    parser.add_argument("--noise", action="store_true")
+    parser.add_argument("--noise")
     parser.add_argument("--only", type=int, choices=range(3))
     options = parser.parse_args()
     print("agent | knows | episodes |", " | ".join(COLUMNS.values()))
@@ -89,9 +84,11 @@ def main() -> int:
             choices = dict(known.choices)
             if options.obstacles:
                 choices["obstacles"] = options.obstacles
+            if options.noise:
+                choices["noise"] = options.noise
             settings = with_choices(RunSettings(limit=options.limit), choices)
             plan = plan_run(AgentSettings(agent), None, settings)
-            results = walked(plan, known, options.noise)
+            results = walked(plan, known)
             means = [
                 f"{np.mean([float(getattr(each, name)) for each in results]):.2f}"
                 for name in COLUMNS

@@ -2,8 +2,8 @@
 
 A robot follows every route, reference and alternative; a sensed turning point is right
 when it lies within 1.5 m of an annotated one that is passed at the time and tells the
-same directions. `python -m benchmarks.turning_points [--noise] PLAN…` prints every
-miss and false alarm, for the benchmark's sites or other plans.
+same directions. `python -m benchmarks.turning_points [--noise LEVEL] PLAN…` prints every
+miss and false alarm, for the benchmark's sites or other plans; noise is given as in runs.
 """
 
 import argparse
@@ -25,8 +25,9 @@ from memorymaze.perception.turning_points import TurningPointFinder
 from memorymaze.robot.api import Direction
 from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.simulation.scene import build_scene
-from memorymaze.simulation.senses.lidar import Lidar, LidarSettings
-from memorymaze.simulation.senses.odometry import Odometry, OdometrySettings
+from memorymaze.simulation.senses.lidar import Lidar
+from memorymaze.simulation.senses.noise import NoiseSettings, parse_noise
+from memorymaze.simulation.senses.odometry import Odometry
 from memorymaze.simulation.senses.turning_points import AnnotatedTurningPoints
 from memorymaze.sites import BUILTIN_SITE_NAMES, Site, load_site
 from memorymaze.sites.records import Route
@@ -38,14 +39,6 @@ MEANWHILE = 2.0
 """Seconds between the two stays."""
 APART = 1.0
 """Seconds outside after which the same turning point is a new stay."""
-
-NOISY_LIDAR = LidarSettings(noise=0.03, drop_out=0.05)
-NOISY_ODOMETRY = OdometrySettings(
-    scale_error=0.02,
-    heading_drift=math.radians(0.3),
-    distance_noise=0.01,
-    heading_noise=0.005,
-)
 
 Directions = frozenset[Direction | None]
 
@@ -157,7 +150,7 @@ class Tally:
         ]
 
 
-def walks(site: Site, noisy: bool = False) -> Iterator[Walk]:
+def walks(site: Site, noise: NoiseSettings | None = None) -> Iterator[Walk]:
     """Follow every route of a site."""
     scene = build_scene(site)
     areas: dict[str | int, Polygon] = {
@@ -167,8 +160,8 @@ def walks(site: Site, noisy: bool = False) -> Iterator[Walk]:
         robot = SimulatedRobot(scene, route.start, rng=np.random.default_rng(number))
         robot.follow(np.asarray(route.line.coords)[:, :2])
         rng = np.random.default_rng(number)
-        lidar = Lidar(scene, None, NOISY_LIDAR if noisy else None, rng)
-        odometry = Odometry(route.start, NOISY_ODOMETRY if noisy else None, rng)
+        lidar = Lidar(scene, None, None if noise is None else noise.lidar, rng)
+        odometry = Odometry(route.start, None if noise is None else noise.odometry, rng)
         finder, visits = TurningPointFinder(), AnnotatedTurningPoints(scene)
         annotated: list[Stay] = []
         sensed: list[Stay] = []
@@ -265,10 +258,12 @@ def main() -> int:
     parser = argparse.ArgumentParser(
         prog="python -m benchmarks.turning_points",
         description="Compare turning points sensed by LiDAR with those of plans.",
-        epilog="example: python -m benchmarks.turning_points --noise university",
+        epilog="example: python -m benchmarks.turning_points university --noise heavy",
     )
     parser.add_argument("plan", nargs="*", default=BUILTIN_SITE_NAMES)
-    parser.add_argument("--noise", action="store_true", help="of LiDAR and odometry")
+    parser.add_argument(
+        "--noise", metavar="LEVEL", type=parse_noise, help="of LiDAR and odometry"
+    )
     chosen = parser.parse_args()
     for plan in chosen.plan:
         tally = Tally()

@@ -22,6 +22,7 @@ from memorymaze.pictures.furniture.models import check_looks
 from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.simulation.scene import Scene, build_scene
+from memorymaze.simulation.senses.noise import NoiseSettings
 from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.sites import Site
 from memorymaze.steering.calls import TraceEvent
@@ -42,12 +43,13 @@ class Arena:
         people_model: LanguageModel | None = None,
         make_robot: Callable[..., SimulatedRobot] = SimulatedRobot,
         body: BodyMaker | None = None,
+        noise: NoiseSettings | None = None,
     ) -> None:
         """Stand for a site; nothing is built yet.
 
         Without eyes, detector and reader of signs know the truth; without looks, things look
         like models where they were converted; without a model, people one can ask find
-        their words elsewhere. Robots are made by `make_robot`, with what `robot` tells it,
+        their words elsewhere; without noise, LiDAR and odometry are exact. Robots are made by `make_robot`, with what `robot` tells it,
         and have the simulated body or those that `body` makes.
         """
         self.site = site
@@ -57,6 +59,7 @@ class Arena:
         self.people_model = people_model
         self._make_robot = make_robot
         self._body = body
+        self._noise = noise
 
     @cached_property
     def scene(self) -> Scene:
@@ -105,6 +108,8 @@ class Arena:
             sign_reader=self.eyes.sign_reader(),
             obstacles_rng=placing,
             keep_free=episode.reference_path,
+            lidar=None if self._noise is None else self._noise.lidar,
+            odometry=None if self._noise is None else self._noise.odometry,
             cameras=partial(robot_cameras, looks=self.looks),
             body=body,
         )
@@ -128,7 +133,15 @@ def arenas_of(settings: RunDefinition, sites: Mapping[str, Site]) -> dict[str, A
     people = model_of_people(settings, settings.agent)
     body = find_body(settings.robot)
     return {
-        name: Arena(site, settings.obstacles, eyes, settings.looks, people, body=body)
+        name: Arena(
+            site,
+            settings.obstacles,
+            eyes,
+            settings.looks,
+            people,
+            body=body,
+            noise=settings.noise,
+        )
         for name, site in sites.items()
     }
 

@@ -67,6 +67,8 @@ def method_label(settings: RunDefinition, results: Iterable[EpisodeResult]) -> s
         name += ", turning points by LiDAR"
     if settings.simulation.motion == "kinematic":
         name += ", kinematic"
+    if settings.noise is not None:
+        name += f", {settings.noise.called}"
     if settings.robot is not None:
         name += f", on {settings.robot.label}"
     if settings.detector != TRUTH:
@@ -120,6 +122,14 @@ def sense_notes(
         )
     if settings.simulation.turning_points == "lidar":
         yield "TURNING POINTS BY LIDAR (scans and odometry), not from the site plan."
+    if settings.noise is not None:
+        no_effect = (
+            ""
+            if settings.simulation.turning_points == "lidar"
+            else "; without turning points by LiDAR the errors of odometry have no effect, "
+            "and those of scans only on agents that take scans"
+        )
+        yield f"NOISY LIDAR AND ODOMETRY: {settings.noise}{no_effect}."
     if settings.simulation.motion == "kinematic":
         yield "KINEMATIC MOTION: the robot goes for its speeds exactly, without physics."
     if settings.looks is not None:

@@ -25,6 +25,7 @@ from memorymaze.simulation.obstacles import (
     PassersBy,
     parse_obstacles,
 )
+from memorymaze.simulation.senses.noise import NoiseSettings, parse_noise
 from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.wording import counted
 
@@ -158,9 +159,15 @@ class RunSettings:
         default=None,
         metadata={"metavar": "LEVEL", "alone": "medium", "reader": parse_obstacles},
     )
-    """things in the way and people about: light, medium (alone) or heavy; or settings such
-    as things=4,density=1,seed=1. Results are a track of their own
-    (docs/obstacles.md)"""
+    """things and people about: light, medium (alone), heavy; or settings such as
+    things=4,density=1,seed=1. Results are a track of their own (docs/obstacles.md)"""
+    noise: NoiseSettings | None = field(
+        default=None, metadata={"metavar": "LEVEL", "reader": parse_noise}
+    )
+    """errors of LiDAR and odometry: light or heavy; or some such as lidar_range_noise=0.02,
+    or both as in heavy,lidar_drop_out=0. Those of odometry act with turning_points=lidar
+    alone, since the robot knows its place on the plan otherwise; those of scans also on
+    agents that take scans (docs/lidar.md)"""
     ask: int | None = field(default=None, metadata={"metavar": "N"})
     """the track with people to ask, so many questions; the agent is told the destination's
     name, with 0 that alone, and obstacles are as in medium where none are given
@@ -228,6 +235,7 @@ class RunSettings:
         motion, plain = self.simulation, SimulationSettings()
         of_simulation = {
             "obstacles": self.obstacles is not None,
+            "noise": self.noise is not None,
             "motion": motion.motion != plain.motion,
             "wheel_noise": motion.wheel_noise != plain.wheel_noise,
             "looks": self.looks is not None,

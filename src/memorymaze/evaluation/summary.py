@@ -26,6 +26,7 @@ def summarise(
     return {
         "track": settings.track,
         "turning_points": settings.simulation.turning_points,
+        "noise": None if settings.noise is None else str(settings.noise),
         "detector": str(settings.detector),
         "signs": settings.signs,
         "episodes": len(results),

@@ -28,6 +28,7 @@ from memorymaze.options import check_number
 from memorymaze.pictures import Looks
 from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.senses.noise import NoiseSettings
 from memorymaze.sites import Site, load_site
 
 Observation = dict[str, Any]
@@ -43,7 +44,7 @@ ENVIRONMENTS: dict[str, str | None] = {
 
 def _arena(site: str | Path, settings: RunSettings) -> Arena:
     """Return a site made ready; environments of one process share it."""
-    chosen = settings.obstacles, settings.looks, settings.robot
+    chosen = settings.obstacles, settings.looks, settings.robot, settings.noise
     with suppress(OSError, TypeError):
         return _arena_as_of(site, Path(site).stat().st_mtime_ns, *chosen)
     return _arena_as_of(site, 0, *chosen)
@@ -56,8 +57,10 @@ def _arena_as_of(
     obstacles: ObstacleSettings | None,
     looks: Looks | None,
     robot: BodySettings | None,
+    noise: NoiseSettings | None,
 ) -> Arena:
-    return Arena(load_site(site), obstacles, looks=looks, body=find_body(robot))
+    plan, body = load_site(site), find_body(robot)
+    return Arena(plan, obstacles, looks=looks, body=body, noise=noise)
 
 
 class NavigationEnvironment(gymnasium.Env[Observation, Any]):
@@ -100,8 +103,8 @@ class NavigationEnvironment(gymnasium.Env[Observation, Any]):
             max_steps: Steps after which an episode is truncated; None for three times
                 what a perfect follower of the site's longest route needs.
             settings: As of a run, or some of them by name: `split`,
-                `success_distance`, `time_budget`, `obstacles`, `looks`, `robot` (a body
-                of your own) and what the robot can do.
+                `success_distance`, `time_budget`, `obstacles`, `noise`, `looks`, `robot`
+                (a body of your own) and what the robot can do.
             privileged: Whether `info` tells pose, goal and distance to it all along.
             render_mode: None or `rgb_array`.
 

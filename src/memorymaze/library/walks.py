@@ -154,7 +154,8 @@ def make_robot(
         site: The building: loaded, or by name or file.
         route: Gives the start: `R1`, or the id of a way.
         seed: Of wheels and sensors.
-        settings: Abilities, and things and people in the way; the defaults when None.
+        settings: Abilities, noise, and things and people in the way; the defaults when
+            None.
         **choices: Settings to change, as for `follow`.
 
     Raises:
@@ -172,5 +173,7 @@ def make_robot(
         building.find_route(route).start,
         chosen.simulation,
         np.random.default_rng(seed),
+        lidar=None if chosen.noise is None else chosen.noise.lidar,
+        odometry=None if chosen.noise is None else chosen.noise.odometry,
         cameras=robot_cameras,
     )

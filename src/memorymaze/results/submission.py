@@ -115,6 +115,7 @@ def _settings_problems(settings: RunDefinition, corpus: Corpus) -> Iterator[str]
         time_budget=None,
         simulation=replace(abilities, time_budget=budget),
         obstacles=obstacles,
+        noise=None,
         passers_by="memory",
         detector=TRUTH,
         signs="truth",

@@ -86,7 +86,9 @@ class RobotToTry:
 
     def __call__(self, connection: Connection) -> None:
         """Look round; then follow one text after another."""
-        arena = Arena(self.site, self.settings.obstacles, checked_eyes(self.settings))
+        settings = self.settings
+        eyes = checked_eyes(settings)
+        arena = Arena(self.site, settings.obstacles, eyes, noise=settings.noise)
         blind = ""
         try:
             strip = seen_all_round(lambda turn: self._robot_at_start(arena, turn))
