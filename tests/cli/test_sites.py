@@ -46,11 +46,16 @@ def test_check_prints_problems_one_per_line_and_counts_on_stderr(
     command: Command, tiny_sites_folder: Path, capsys: pytest.CaptureFixture[str]
 ):
     plan = tiny_sites_folder / "loop.geojson"
-    assert command("check", plan) == 0
+    content = plan.read_text("utf-8").replace('"id": "box"', '"id": "The Box"')
+    Path("ring.geojson").write_text(content, "utf-8")
+    assert command("check", plan, "ring.geojson") == 0
     out, err = capsys.readouterr()
-    assert len(out.splitlines()) == 4
-    assert all(line.startswith(f"{plan}:-:") for line in out.splitlines())
-    assert err == "1 plan: 0 errors, 4 warnings\n"
+    told = [line.partition(": warning: ")[0] for line in out.splitlines()]
+    assert told == [
+        "ring.geojson:-:name-is-stem",
+        "ring.geojson:The Box:id-snake-case",
+    ]
+    assert err == "2 plans: 0 errors, 2 warnings\n"
 
 
 def test_check_takes_names_files_and_folders(
@@ -61,12 +66,13 @@ def test_check_takes_names_files_and_folders(
     assert capsys.readouterr().err.startswith("9 plans: 0 errors")
 
 
-def test_new_writes_a_plan_that_check_lets_pass_and_writes_it_once(
+def test_new_writes_a_plan_without_a_warning_and_writes_it_once(
     command: Command, capsys: pytest.CaptureFixture[str]
 ):
     assert command("new", "annex", "--out", "buildings/annex.geojson") == 0
     assert capsys.readouterr().out == "buildings/annex.geojson\n"
     assert command("check", "buildings") == 0
+    assert capsys.readouterr() == ("", "1 plan: 0 errors, 0 warnings\n")
     with pytest.raises(SettingsError, match="exists already"):
         command("new", "annex", "--out", "buildings/annex.geojson")
 

@@ -164,9 +164,14 @@ def test_a_body_that_cannot_be_had_ends_the_run_with_its_reason(
         follow(robot)
 
 
-@pytest.mark.parametrize("name", ["obstacles", "wheel_noise", "motion"])
+@pytest.mark.parametrize("name", ["obstacles", "noise", "wheel_noise", "motion"])
 def test_what_is_of_the_simulated_body_is_refused_with_another(name: str) -> None:
-    values = {"obstacles": "light", "wheel_noise": 0.5, "motion": "kinematic"}
+    values = {
+        "obstacles": "light",
+        "noise": "light",
+        "wheel_noise": 0.5,
+        "motion": "kinematic",
+    }
     given = {"robot": f"{MODULE}:Localised", name: values[name]}
     with pytest.raises(SettingsError, match=f"{name}.*has its own"):
         run_settings(RunSettings(), named_in_python(given))

@@ -41,6 +41,7 @@ OTHERS = {
     "max_turn_rate": "1.5",
     "model": "gpt-4o-mini",
     "motion": "kinematic",
+    "noise": "heavy,lidar_range_noise=0.02",
     "obstacles": "heavy,seed=3,kinds=cart+suitcase",
     "passers_by": "wrong",
     "price": "0.15,0.6",

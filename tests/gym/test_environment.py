@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from gymnasium.error import ResetNeeded
 from gymnasium.utils.env_checker import check_env
+from numpy.typing import NDArray
 from tests.evaluation import own_bodies
 
 from memorymaze.errors import InstructionFileError, SettingsError
@@ -256,6 +257,20 @@ def test_settings_of_a_run_act_in_an_environment_too(make_tiny: MakeTiny) -> Non
     assert env.unwrapped.settings.obstacles.people == 0
     assert told["stopped_by"] == "budget"
     assert told["time"] == pytest.approx(1, abs=0.2)
+
+
+def test_noise_of_the_settings_is_in_the_scans_and_comes_from_the_seed(
+    make_tiny: MakeTiny,
+) -> None:
+    def scan(**settings: str) -> NDArray[np.float32]:
+        env = make_tiny("corridor", sensors=("lidar",), settings=settings)
+        seen, _ = env.reset(seed=3, options={"episode_id": "p1-1"})
+        assert env.observation_space.contains(seen)
+        return seen["lidar"]
+
+    exact, noisy = scan(), scan(noise="light")
+    assert 0 < np.median(np.abs(noisy - exact)) < 0.03
+    assert np.array_equal(noisy, scan(noise="light"))
 
 
 def test_a_body_of_ones_own_is_driven_and_put_away(make_tiny: MakeTiny) -> None:

@@ -131,7 +131,8 @@ def _drawn(name: str, kind: BuildingKind, rng: np.random.Generator) -> bytes:
     plan = plan_bytes(
         header, features_of(floor, words, rooms, doors, furnisher.things, routes)
     )
-    problems = plan_problems(understand_plan(json.loads(plan)), Path(f"{name}.geojson"))
+    understood = understand_plan(json.loads(plan))
+    problems = plan_problems(understood, Path(f"{name}.geojson"), of_benchmark=True)
     if problems:
         raise UnsuitableFloor(problems[0].line())
     return plan

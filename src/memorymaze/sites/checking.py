@@ -9,7 +9,12 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from memorymaze.sites import plan_models as models
-from memorymaze.sites.floor_rules import exact_floor, floor_findings, thing_findings
+from memorymaze.sites.floor_rules import (
+    exact_floor,
+    extent_findings,
+    floor_findings,
+    thing_findings,
+)
 from memorymaze.sites.loading import SNAKE_CASE, site_from_content
 from memorymaze.sites.loading_rules import (
     FLOOR_RULES,
@@ -74,25 +79,33 @@ def find_site_problems(path: str | Path) -> list[SiteProblem]:
     return plan_problems(read_plan(path), path)
 
 
-def plan_problems(content: PlanContent, path: Path) -> list[SiteProblem]:
-    """Find everything in what was read of a plan that breaks a rule of the format."""
+def plan_problems(
+    content: PlanContent, path: Path, *, of_benchmark: bool = False
+) -> list[SiteProblem]:
+    """Find everything in what was read of a plan that breaks a rule of the format.
+
+    Floors of the benchmark, by their names or because it is said, also have its size.
+    """
     site, broken, findings = site_from_content(content, str(path))
     findings = [*content.findings, *findings]
     if site is not None:
+        has_size = of_benchmark or site.name in PUBLISHED
         unsound = loading_findings(site, broken)
         findings += unsound
         if floor_is_complete(broken) and not any(
             finding.rule in FLOOR_RULES for finding in unsound
         ):
-            findings += _findings_on_floor(site)
-        if not broken:
+            findings += _findings_on_floor(site, has_size=has_size)
+        if has_size and not broken:
             findings += _benchmark_findings(site)
     findings += _wording_findings(content.header, content.features, path)
     return [each._replace(file=str(path)) for each in findings]
 
 
-def _findings_on_floor(site: Site) -> Iterator[SiteProblem]:
+def _findings_on_floor(site: Site, *, has_size: bool) -> Iterator[SiteProblem]:
     floor = exact_floor(site)
+    if has_size:
+        yield from extent_findings(floor)
     yield from floor_findings(site, floor)
     yield from thing_findings(site, floor)
     yield from route_findings(site, floor)

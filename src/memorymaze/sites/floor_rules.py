@@ -70,7 +70,6 @@ def exact_floor(site: Site) -> Polygon:
 def floor_findings(site: Site, floor: Polygon) -> Iterator[SiteProblem]:
     """Find what is wrong with the floor."""
     yield from _seams(site, floor)
-    yield from _extent(floor)
     yield from _narrow_places(site)
     for corridor in site.corridors:
         yield from _corridor(corridor)
@@ -103,7 +102,8 @@ def _seams(site: Site, floor: Polygon) -> Iterator[SiteProblem]:
             )
 
 
-def _extent(floor: Polygon) -> Iterator[SiteProblem]:
+def extent_findings(floor: Polygon) -> Iterator[SiteProblem]:
+    """Find whether a floor is larger or smaller than those of the benchmark."""
     west, south, east, north = floor.bounds
     across = max(east - west, north - south)
     if not FLOOR_ACROSS[0] <= across <= FLOOR_ACROSS[1]:
