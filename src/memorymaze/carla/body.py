@@ -27,7 +27,7 @@ from memorymaze.robot.sensors_and_motion import OdometryReading
 from memorymaze.robot.steps import CameraPicture, LidarScan
 from memorymaze.simulation.motion.kinematic_base import arc_chord, held_back
 from memorymaze.simulation.motion.wheeled_base import CAMERA_HEIGHT
-from memorymaze.simulation.senses.lidar import LidarSettings
+from memorymaze.simulation.senses.lidar_settings import LidarSettings
 from memorymaze.simulation.senses.odometry import Odometry
 from memorymaze.sites.records import Site
 from memorymaze.steering.settings import ROBOT_RADIUS, TICK, RobotSettings

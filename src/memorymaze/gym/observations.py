@@ -20,7 +20,7 @@ from gymnasium.vector.utils import read_from_shared_memory
 from memorymaze.errors import SettingsError
 from memorymaze.options import check_number
 from memorymaze.simulation.robot import SimulatedRobot
-from memorymaze.simulation.senses.lidar import LidarSettings
+from memorymaze.simulation.senses.lidar_settings import LidarSettings
 
 Sensor = Literal["rgb", "depth", "lidar"]
 SENSORS: tuple[Sensor, ...] = ("rgb", "depth", "lidar")

@@ -23,7 +23,7 @@ from memorymaze.simulation.obstacles.surroundings import NearMiss, ObstacleSurro
 from memorymaze.simulation.own_body import OwnBody
 from memorymaze.simulation.plan_floor import PlanFloor
 from memorymaze.simulation.scene import Scene
-from memorymaze.simulation.senses.lidar import LidarSettings
+from memorymaze.simulation.senses.lidar_settings import LidarSettings
 from memorymaze.simulation.senses.odometry import OdometrySettings
 from memorymaze.simulation.senses.turning_points import AnnotatedTurningPoints
 from memorymaze.simulation.settings import SimulationSettings

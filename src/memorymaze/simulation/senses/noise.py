@@ -5,7 +5,7 @@ from dataclasses import dataclass, fields
 
 from memorymaze.errors import SettingsError, did_you_mean
 from memorymaze.options import check_number, parse_options, write_options
-from memorymaze.simulation.senses.lidar import LidarSettings
+from memorymaze.simulation.senses.lidar_settings import LidarSettings
 from memorymaze.simulation.senses.odometry import OdometrySettings
 
 
@@ -57,9 +57,7 @@ class NoiseSettings:
     @property
     def lidar(self) -> LidarSettings:
         """What the LiDAR then measures."""
-        return LidarSettings(
-            noise=self.lidar_range_noise, drop_out=self.lidar_drop_out
-        )
+        return LidarSettings(noise=self.lidar_range_noise, drop_out=self.lidar_drop_out)
 
     @property
     def odometry(self) -> OdometrySettings:
