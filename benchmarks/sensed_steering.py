@@ -1,9 +1,9 @@
 """How agents walk on a robot that knows no plan: its LiDAR and odometry alone steer it.
 
 `python -m benchmarks.sensed_steering [--agents NAME …] [--limit N] [--obstacles SETTINGS]
-[--noise SETTINGS]` has each agent follow the same texts three times: with the plan, with the plan's
-ways but turning points by LiDAR, and with nothing but what the simulated body tells through
-`SensorsAndMotion`. Detector and reader of signs are those that know the truth each time.
+[--noise SETTINGS]` has each agent follow the same texts three times: with the plan, with the
+plan's ways but turning points by LiDAR, and with nothing but what the simulated body tells
+through `SensorsAndMotion`. Detector and reader of signs are those that know the truth each time.
 """
 
 import argparse

@@ -82,7 +82,7 @@ def test_tables_name_the_noise_and_what_of_it_has_no_effect(
     for chosen, has_effect in ((noisy, False), (by_lidar, True)):
         said = "\n".join(result_lines(chosen, [result()]))
         assert "NOISY LIDAR AND ODOMETRY: lidar_drop_out=0.2" in said
-        assert ("errors of odometry have no effect" in said) is not has_effect
+        assert ("those of odometry have no effect" in said) is not has_effect
 
 
 def test_a_table_names_the_noise_beside_the_method(

@@ -132,16 +132,9 @@ def arenas_of(settings: RunDefinition, sites: Mapping[str, Site]) -> dict[str, A
     eyes = checked_eyes(settings)
     people = model_of_people(settings, settings.agent)
     body = find_body(settings.robot)
+    obstacles, looks, noise = settings.obstacles, settings.looks, settings.noise
     return {
-        name: Arena(
-            site,
-            settings.obstacles,
-            eyes,
-            settings.looks,
-            people,
-            body=body,
-            noise=settings.noise,
-        )
+        name: Arena(site, obstacles, eyes, looks, people, body=body, noise=noise)
         for name, site in sites.items()
     }
 

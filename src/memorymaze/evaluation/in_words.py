@@ -123,13 +123,13 @@ def sense_notes(
     if settings.simulation.turning_points == "lidar":
         yield "TURNING POINTS BY LIDAR (scans and odometry), not from the site plan."
     if settings.noise is not None:
-        no_effect = (
-            ""
-            if settings.simulation.turning_points == "lidar"
-            else "; without turning points by LiDAR the errors of odometry have no effect, "
-            "and those of scans only on agents that take scans"
-        )
-        yield f"NOISY LIDAR AND ODOMETRY: {settings.noise}{no_effect}."
+        errors = str(settings.noise).replace(",", ", ")
+        if settings.simulation.turning_points != "lidar":
+            errors += (
+                "; without turning points by LiDAR those of odometry have no effect, and "
+                "those of scans only on agents that take scans"
+            )
+        yield f"NOISY LIDAR AND ODOMETRY: {errors}."
     if settings.simulation.motion == "kinematic":
         yield "KINEMATIC MOTION: the robot goes for its speeds exactly, without physics."
     if settings.looks is not None:

@@ -154,8 +154,7 @@ def make_robot(
         site: The building: loaded, or by name or file.
         route: Gives the start: `R1`, or the id of a way.
         seed: Of wheels and sensors.
-        settings: Abilities, noise, and things and people in the way; the defaults when
-            None.
+        settings: Abilities, noise, things and people in the way; defaults when None.
         **choices: Settings to change, as for `follow`.
 
     Raises:
