@@ -24,12 +24,12 @@ from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
-import carla
 import networkx as nx
 import numpy as np
 import shapely
 from shapely import LineString, Polygon, STRtree, union_all
 
+import carla
 from benchmarks.made_buildings import made_site
 from memorymaze.construction import BUILDING_KINDS
 from memorymaze.exporting.opendrive import LANE_TYPES, LaneType, opendrive
