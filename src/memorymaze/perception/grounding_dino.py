@@ -191,7 +191,9 @@ def _not_there(checkpoint: str, download: bool, error: Exception) -> SettingsErr
 
 def _plain(query: str) -> str:
     """Return words in lower case; a full stop would begin another label."""
-    words = query.lower().replace(".", " ").split()
+    # Words may hold halves of characters, which no tokenizer takes.
+    whole = query.encode("utf-8", "replace").decode("utf-8")
+    words = whole.lower().replace(".", " ").split()
     return " ".join(words)
 
 
