@@ -1,8 +1,8 @@
-"""A server for `--with detector=remote:URL` with any zero-shot detection checkpoint.
+"""A server for `remote_finder.py` beside it, with any zero-shot detection checkpoint.
 
     python examples/detector_server.py CHECKPOINT --port 8000
 
-It answers POST requests to any path, one at a time, as `docs/perception.md` describes.
+It answers POST requests to any path, one at a time, as `remote_finder.py` says.
 Needs the extra `detector`. It has no log-in: let it listen where only you can reach it.
 """
 
@@ -17,11 +17,11 @@ from http.server import BaseHTTPRequestHandler, HTTPServer
 import numpy as np
 from PIL import Image, UnidentifiedImageError
 from pydantic import ValidationError
+from remote_finder import DetectionReply, DetectionRequest
 
 from memorymaze.errors import DetectorError, SettingsError
 from memorymaze.perception.grounding_dino import DEFAULT_CHECKPOINT, ZeroShotFinder
 from memorymaze.perception.picture_detector import ObjectFinder
-from memorymaze.perception.remote_detector import DetectionReply, DetectionRequest
 
 FinderFor = Callable[[float, float], ObjectFinder]
 """Gives the model for a box threshold and a text threshold."""

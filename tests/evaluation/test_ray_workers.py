@@ -17,6 +17,7 @@ from typing import Any, NamedTuple
 import pytest
 
 from memorymaze.errors import SettingsError
+from memorymaze.evaluation.bodies import BodySettings
 from memorymaze.evaluation.driver import run_plan
 from memorymaze.evaluation.episode_worker import EpisodeDone, EpisodeTask, EpisodeWorker
 from memorymaze.evaluation.plan import RunPlan, plan_run
@@ -309,6 +310,27 @@ def test_an_agents_files_are_needed_no_more_once_they_are_packed(
     assert recorded == b""
     assert isinstance(done, EpisodeDone)
     assert done.result.agent == "traveller"
+
+
+def test_code_of_ones_own_travels_whatever_its_role(
+    tmp_path: Path, tiny_plan: Plan
+) -> None:
+    """A robot's body and a detector too, each beside a file of the same name."""
+    code = "class Finder:\n    def find(self, rgb, query):\n        return []\n"
+    for role in ("robot", "detector"):
+        (tmp_path / role).mkdir()
+        (tmp_path / role / "mine.py").write_text(code, encoding="utf-8")
+    file = tmp_path / "detector" / "mine.py"
+    plan = tiny_plan("stop", detector=f"{file}:Finder")
+    robot = BodySettings(f"{tmp_path / 'robot' / 'mine.py'}:Finder")
+    packed = pack_files(replace(plan.settings, robot=robot, looks=None))
+    assert packed == dict.fromkeys(("robot/mine.py", "detector/mine.py"), code.encode())
+    prepare = TravellingWorker(
+        EpisodeWorker.of(plan, plan.settings), pack_files(plan.settings)
+    )
+    file.unlink()
+    done, _ = prepare()(EpisodeTask(plan.episodes[0]))
+    assert isinstance(done, EpisodeDone)
 
 
 def test_a_file_of_answers_travels(tmp_path: Path, settings: RunSettings) -> None:

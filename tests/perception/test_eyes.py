@@ -43,9 +43,10 @@ SETTINGS = TypeAdapter(DetectorSettings)
             ),
         ),
         (
-            "remote:http://localhost:8000/detect?a=1,timeout=5",
+            "my/finder.py:Finder,url=http://localhost:8000/detect?a=1,timeout=5",
             DetectorSettings(
-                "remote", url="http://localhost:8000/detect?a=1", timeout=5
+                "my/finder.py:Finder",
+                options="url=http://localhost:8000/detect?a=1,timeout=5",
             ),
         ),
     ],
@@ -59,7 +60,10 @@ def test_a_detector_is_read_told_and_kept(text: str, meant: DetectorSettings):
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("dino", "expected one of truth, grounding-dino, remote"),
+        (
+            "dino",
+            "expected one of truth, grounding-dino, with .* or a finder of your own",
+        ),
         ("grounding_dino", "did you mean 'grounding-dino'"),
         ("truth:misss=0.3", "did you mean 'miss'"),
         ("truth:heavy", "expected settings such as miss=0.1"),
@@ -69,8 +73,11 @@ def test_a_detector_is_read_told_and_kept(text: str, meant: DetectorSettings):
         ("grounding-dino:x,box_threshold=7", "box_threshold: expected a number from 0"),
         ("grounding-dino:x,box_threshold=nan", "box_threshold: expected a number, got"),
         ("grounding-dino:x,download=maybe", "download: expected true or false"),
-        ("remote", "expected the address of a server"),
-        ("remote:http://x/,timeout=0", "timeout: expected a number greater than 0"),
+        ("finder.py:", "or a finder of your own as module:Class"),
+        (
+            "remote:http://x/,timeout=5",
+            "examples/remote_finder.py:RemoteFinder,url=http://x/,timeout=5$",
+        ),
     ],
 )
 def test_what_is_no_detector_is_refused(text: str, said: str):

@@ -10,6 +10,7 @@ import pytest
 from memorymaze.errors import SettingsError
 from memorymaze.perception.grounding_dino import ZeroShotFinder
 from memorymaze.perception.picture_detector import PictureDetector
+from memorymaze.testing import check_object_finder
 
 RGB = np.random.default_rng(0).integers(0, 255, (480, 640, 3), dtype=np.uint8)
 
@@ -108,3 +109,11 @@ def test_a_model_for_something_else_is_refused(grounding_dino: Path, tmp_path: P
 def test_a_device_that_is_not_there_is_refused(grounding_dino: Path):
     with pytest.raises(SettingsError, match="device 'gpu' cannot be used here"):
         ZeroShotFinder(str(grounding_dino), device="gpu").check()
+
+
+@pytest.mark.parametrize("checkpoint", ["grounding_dino", "owl_vit"])
+def test_both_kinds_keep_the_contract_of_finders(
+    checkpoint: str, request: pytest.FixtureRequest
+):
+    folder = request.getfixturevalue(checkpoint)
+    check_object_finder(ZeroShotFinder(str(folder), box_threshold=0.0), RGB)

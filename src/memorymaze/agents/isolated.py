@@ -29,7 +29,6 @@ from memorymaze.agents.agent import (
     Journal,
     asking_of,
 )
-from memorymaze.agents.failures import failure_line, failure_traceback
 from memorymaze.agents.notes import TracebackNote
 from memorymaze.errors import (
     EpisodeOver,
@@ -37,6 +36,7 @@ from memorymaze.errors import (
     MemoryMazeError,
     SettingsError,
 )
+from memorymaze.failures import failure_line, failure_traceback
 from memorymaze.language.model import (
     Completion,
     CompletionRequest,

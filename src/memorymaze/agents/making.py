@@ -10,22 +10,18 @@ by an attribute `needs` of their own. It is called
     Class(model=model)              # without Options, where it needs one
 """
 
-import importlib
-import importlib.util
 import inspect
-import sys
 from collections.abc import Callable
-from dataclasses import dataclass, is_dataclass
-from functools import cache, partial
-from pathlib import Path
-from types import ModuleType
+from dataclasses import dataclass
+from functools import partial
 from typing import Any, cast, get_args
 
 from memorymaze.agents.agent import Agent, Need
-from memorymaze.agents.failures import failure_line
 from memorymaze.errors import SettingsError
+from memorymaze.failures import failure_line
 from memorymaze.language.model import LanguageModel
 from memorymaze.options import read_options
+from memorymaze.own_code import checked_options, find_own
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,7 +73,7 @@ class AgentRecipe:
 def _make_again(
     name: str, given: tuple[tuple[str, str], ...], model: LanguageModel | None
 ) -> Agent:
-    return agent_recipe(name, find_agent(name), given).make(model)
+    return agent_recipe(name, find_own("agent", name), given).make(model)
 
 
 def agent_recipe(
@@ -88,7 +84,7 @@ def agent_recipe(
     handed_over: bool = False,
 ) -> AgentRecipe:
     """Read the options of what makes an agent, and what it needs with them."""
-    kind = checked_options(name, maker)
+    kind = checked_options("agent", name, maker)
     if kind is None and given:
         own = (
             "; give its class a dataclass `Options`, and it is called with one of these"
@@ -102,18 +98,6 @@ def agent_recipe(
     return AgentRecipe(name, maker, given, options, needs, handed_over)
 
 
-def checked_options(name: str, agent: object, role: str = "agent") -> type | None:
-    """Return the dataclass of an agent's options: its attribute `Options`, if any."""
-    options = getattr(agent, "Options", None)
-    if options is not None and not (
-        isinstance(options, type) and is_dataclass(options)
-    ):
-        raise SettingsError(
-            f"{role} {name!r}: expected `Options` to be a dataclass, got {options!r}"
-        )
-    return options
-
-
 def checked_needs(name: str, agent: object) -> frozenset[Need]:
     """Return what an agent, its class or its options declare in an attribute `needs`."""
     declared = getattr(agent, "needs", frozenset())
@@ -124,27 +108,6 @@ def checked_needs(name: str, agent: object) -> frozenset[Need]:
             f"{declared!r}"
         )
     return cast(frozenset[Need], frozenset(declared))
-
-
-def find_agent(name: str, role: str = "agent") -> Any:
-    """Return what `module:Class` or `file.py:Class` names; it can be called.
-
-    Messages say which role it is to play.
-    """
-    place, _, attribute = name.rpartition(":")
-    try:
-        module = _load(place)
-    except (Exception, SystemExit) as error:
-        raise SettingsError(
-            f"{role} {name!r}: {place!r} cannot be imported ({failure_line(error)})"
-        ) from error
-    factory = getattr(module, attribute, None)
-    if not callable(factory):
-        raise SettingsError(
-            f"{role} {name!r}: expected {place!r} to have a class {attribute!r}, got "
-            f"{'nothing of this name' if factory is None else repr(factory)}"
-        )
-    return factory
 
 
 def checked_agent(name: str, agent: Any) -> Agent:
@@ -169,34 +132,3 @@ def checked_agent(name: str, agent: Any) -> Agent:
             f"follow{signature}"
         ) from None
     return agent
-
-
-def _load(place: str) -> ModuleType:
-    if not place.endswith(".py"):
-        _look_also_in(Path.cwd())
-        return importlib.import_module(place)
-    path = Path(place).absolute()
-    if not path.is_file():
-        raise FileNotFoundError(f"no such file: {place}")
-    return _run_file(path, path.stat().st_mtime_ns)
-
-
-@cache
-def _run_file(path: Path, edited: int) -> ModuleType:
-    """Run a file; once as long as it stays as it is."""
-    # Not its bare name: a user's random.py must not stand in for the library's.
-    spec = importlib.util.spec_from_file_location(f"own_agent_{path.stem}", path)
-    if spec is None or spec.loader is None:
-        raise ImportError(f"cannot be loaded: {path}")
-    _look_also_in(path.parent)
-    module = importlib.util.module_from_spec(spec)
-    # Dataclasses and pickles inside the file look their module up here.
-    sys.modules[module.__name__] = module
-    spec.loader.exec_module(module)
-    return module
-
-
-def _look_also_in(folder: Path) -> None:
-    """Let imports find what lies beside a user's agent, after all that is installed."""
-    if str(folder) not in sys.path:
-        sys.path.append(str(folder))

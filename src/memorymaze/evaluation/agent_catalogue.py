@@ -10,14 +10,12 @@ from pathlib import Path
 from typing import Any, NamedTuple, TypeAlias
 
 from memorymaze.agents.agent import Agent, Need
-from memorymaze.agents.files import agent_fingerprint
 from memorymaze.agents.isolated import IsolatedAgent
 from memorymaze.agents.making import (
     AgentRecipe,
     agent_recipe,
     checked_agent,
     checked_needs,
-    find_agent,
 )
 from memorymaze.agents.navgpt import CaptionOptions
 from memorymaze.errors import SettingsError, did_you_mean
@@ -30,6 +28,7 @@ from memorymaze.language.building import build_language_model
 from memorymaze.language.model import LanguageModel
 from memorymaze.language.model_settings import ModelSettings
 from memorymaze.options import called_on_command_line, options_of
+from memorymaze.own_code import find_own, own_fingerprint
 
 
 class ShippedAgent(NamedTuple):
@@ -162,7 +161,7 @@ class ChosenAgent:
 
     def files(self) -> tuple[FileStamp, ...]:
         """Return the fingerprints of the files of a user's own agent."""
-        return agent_fingerprint(self.settings.name, self.handed)
+        return own_fingerprint(self.settings.name, self.handed)
 
     def option_values(self, agent: Agent) -> tuple[tuple[str, str], ...]:
         """Return all options with their values, those nobody gave too, as settled in it."""
@@ -257,7 +256,7 @@ def chosen_again(settings: AgentSettings, handed: Handed) -> ChosenAgent:
         recipe = AgentRecipe(name, lambda: handed, (), None, needs, handed_over=True)
     else:
         place = name if settings.is_own else shipped_agent(name).place
-        recipe = agent_recipe(name, find_agent(place), settings.options)
+        recipe = agent_recipe(name, find_own("agent", place), settings.options)
     return ChosenAgent(settings, recipe, handed)
 
 

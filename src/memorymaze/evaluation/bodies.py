@@ -15,12 +15,15 @@ is called when the episode is over.
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any
 
-from memorymaze.agents.failures import failure_line
-from memorymaze.agents.files import agent_fingerprint
-from memorymaze.agents.making import checked_options, find_agent
 from memorymaze.errors import RobotBodyError, SettingsError, did_you_mean
+from memorymaze.failures import failure_line
 from memorymaze.input_files import FileStamp
-from memorymaze.options import parse_options
+from memorymaze.own_code import (
+    checked_options,
+    find_own,
+    own_fingerprint,
+    parse_own_options,
+)
 
 if TYPE_CHECKING:
     import numpy as np
@@ -115,7 +118,7 @@ class BodyMaker:
 
     def files(self) -> tuple[FileStamp, ...]:
         """Return the fingerprints of the files of a user's own."""
-        return agent_fingerprint(self.settings.place)
+        return own_fingerprint(self.settings.place)
 
 
 def find_body(settings: BodySettings | None) -> BodyMaker | None:
@@ -126,22 +129,12 @@ def find_body(settings: BodySettings | None) -> BodyMaker | None:
     """
     if settings is None:
         return None
-    role = "robot"
-    factory = find_agent(settings.place, role)
-    kind = checked_options(settings.name, factory, role)
-    if kind is None:
-        if settings.options:
-            raise SettingsError(
-                f"robot {settings.name!r}: has no options to set, got {settings.options!r}; "
-                "give its factory a dataclass `Options`, and it is called with options="
-            )
-        return BodyMaker(settings, factory, None)
-    subject = f"robot {settings.name}"
-    options = parse_options(kind, settings.options, subject=subject)
+    factory = find_own("robot", settings.place)
+    options = parse_own_options("robot", settings.name, factory, settings.options)
     return BodyMaker(settings, factory, options)
 
 
 def options_of_body(settings: BodySettings) -> frozenset[str]:
     """Return the names of the options that a body has."""
-    kind = checked_options(settings.name, find_agent(settings.place, "robot"), "robot")
+    kind = checked_options("robot", settings.name, find_own("robot", settings.place))
     return frozenset(() if kind is None else (each.name for each in fields(kind)))

@@ -10,7 +10,6 @@ from dataclasses import dataclass, replace
 from typing import Any, NamedTuple, Protocol, cast
 
 from memorymaze.agents.agent import Agent, Journal
-from memorymaze.agents.failures import failure_line, failure_traceback
 from memorymaze.agents.notes import TracebackNote
 from memorymaze.errors import (
     DetectorError,
@@ -38,6 +37,7 @@ from memorymaze.evaluation.trace_entries import (
     surroundings_entries,
 )
 from memorymaze.evaluation.vision_captions import VisionCaptions
+from memorymaze.failures import failure_line, failure_traceback
 from memorymaze.geometry.trajectory import Trajectory
 from memorymaze.instructions.records import Episode
 from memorymaze.passers_by import Encounters

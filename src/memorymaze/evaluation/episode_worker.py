@@ -8,7 +8,6 @@ import cloudpickle
 import numpy as np
 
 from memorymaze.agents.agent import Journal
-from memorymaze.agents.failures import WorkerLost, failure_line
 from memorymaze.errors import SpendingLimitReached
 from memorymaze.evaluation.agent_catalogue import chosen_again
 from memorymaze.evaluation.arena import arenas_of
@@ -17,6 +16,7 @@ from memorymaze.evaluation.plan import RunPlan
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.settings import RunDefinition
 from memorymaze.evaluation.trace import trace_content
+from memorymaze.failures import WorkerLost, failure_line
 from memorymaze.instructions.records import Episode
 from memorymaze.robot.api import Robot
 from memorymaze.sites import Site

@@ -33,6 +33,7 @@ from memorymaze.instructions import Corpus, load_corpus
 from memorymaze.instructions.records import Episode
 from memorymaze.language.building import replaying_model
 from memorymaze.language.model_settings import ModelSettings
+from memorymaze.own_code import own_fingerprint
 from memorymaze.sites import Site
 
 
@@ -93,6 +94,7 @@ def plan_run(
         answers=_answers_taken(chosen_agent, ready, chosen),
         agent_files=chosen_agent.files(),
         robot_files=() if body is None else body.files(),
+        detector_files=own_fingerprint(settings.detector.name),
         option_values=chosen_agent.option_values(ready.agent),
     )
     return RunPlan(definition, part, sites, chosen_agent, ready)

@@ -18,7 +18,6 @@ from typing import Any, Literal
 import ray
 from ray.exceptions import RayError
 
-from memorymaze.agents.files import agent_files
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.episode_worker import (
     EpisodeOutcome,
@@ -30,6 +29,7 @@ from memorymaze.evaluation.provenance import code_stamp
 from memorymaze.evaluation.settings import RunDefinition
 from memorymaze.evaluation.worker_pool import LEAVING_TIME, WorkerDied
 from memorymaze.language.answer_files import append_answers
+from memorymaze.own_code import own_files
 from memorymaze.processes import available_cores
 from memorymaze.wording import counted
 
@@ -136,7 +136,7 @@ class RayWorkforce:
                 raise SettingsError(f"{option} and --ray: {reason}")
         for option, url in (
             ("--base-url", model.base_url),
-            ("detector", settings.detector.url),
+            ("detector", settings.detector.options),
         ):
             own = any(part in (url or "") for part in LOOPBACK)
             if own and self.nodes > 1:
@@ -268,7 +268,7 @@ class TravellingWorker:
 
     worker: EpisodeWorker
     files: dict[str, bytes]
-    """Contents by place: `agent/…`, `replay/…`, `record/…`."""
+    """Contents by place: `agent/…`, `robot/…`, `detector/…`, `replay/…`, `record/…`."""
 
     def __call__(self) -> Callable[[EpisodeTask], tuple[EpisodeOutcome, bytes]]:
         """Write the files, see that this machine has what the run needs, and prepare.
@@ -292,10 +292,14 @@ class TravellingWorker:
         if model.record is not None:
             recorded = folder / "record" / Path(model.record).name
             model = replace(model, record=str(recorded))
-        agent = replace(agent, language_model=model)
-        if ".py:" in agent.name:
-            agent = replace(agent, name=f"{folder}/agent/{Path(agent.name).name}")
-        follow = replace(self.worker, settings=replace(settings, agent=agent))()
+        settings = replace(settings, agent=replace(agent, language_model=model))
+        brought = {
+            role: replace(
+                getattr(settings, role), name=f"{folder}/{role}/{Path(name).name}"
+            )
+            for role, name in _in_files(settings).items()
+        }
+        follow = replace(self.worker, settings=replace(settings, **brought))()
 
         def run(task: EpisodeTask) -> tuple[EpisodeOutcome, bytes]:
             known = 0 if recorded is None else recorded.stat().st_size
@@ -306,15 +310,22 @@ class TravellingWorker:
 
 
 def pack_files(settings: RunDefinition) -> dict[str, bytes]:
-    """Read the files that the settings of a run name, and those beside its agent's."""
-    agent, model = settings.agent, settings.agent.language_model
-    files: dict[str, bytes] = {}
-    if ".py:" in agent.name:
-        for name, path in agent_files(agent.name).items():
-            files[f"agent/{name}"] = path.read_bytes()
+    """Read the files that the settings of a run name, and those beside users' own code."""
+    model = settings.agent.language_model
+    files = {
+        f"{role}/{name}": path.read_bytes()
+        for role, own in _in_files(settings).items()
+        for name, path in own_files(own).items()
+    }
     if model.replay is not None:
         files[f"replay/{Path(model.replay).name}"] = Path(model.replay).read_bytes()
     if model.record is not None:
         kept = Path(model.record)
         files[f"record/{kept.name}"] = kept.read_bytes() if kept.exists() else b""
     return files
+
+
+def _in_files(settings: RunDefinition) -> dict[str, str]:
+    """Return the names of users' own code that lies in files, by the setting."""
+    given = {role: getattr(settings, role) for role in ("agent", "robot", "detector")}
+    return {role: own.name for role, own in given.items() if own and ".py:" in own.name}

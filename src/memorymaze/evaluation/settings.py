@@ -186,8 +186,8 @@ class RunSettings:
         default=TRUTH, metadata={"reader": parse_detector}
     )
     """what looks for objects: truth, truth:errors or truth:miss=0.2 (with mistakes),
-    grounding-dino:CHECKPOINT,box_threshold=0.35 (a model, from the camera's picture),
-    remote:URL (a server); see docs/perception.md"""
+    grounding-dino:CHECKPOINT,box_threshold=0.35 (a model, from the camera's picture), or
+    your own as module:Class, file.py:Class,OPTION=VALUE; see docs/perception.md"""
     signs: SignSource = "truth"
     """how read_signs reads: truth, or ocr (from the camera's picture)"""
     isolate: bool = False
@@ -279,6 +279,8 @@ class RunDefinition(RunSettings):
     """Of an agent of a user's own: its file and those beside it that it imports."""
     robot_files: tuple[FileStamp, ...] = ()
     """The same of a robot's body."""
+    detector_files: tuple[FileStamp, ...] = ()
+    """The same of a detector."""
     option_values: tuple[tuple[str, str], ...] = ()
     """All options of the agent as it has them, also those that nobody gave."""
     instructions: tuple[FileStamp, ...]
@@ -319,7 +321,8 @@ class Difference:
     """A setting that two runs do not share; in text `seed: 0 there, 1 here`."""
 
     kind: str
-    """`site`, `agent file`, `robot file` or `agent option`; else the field of `RunDefinition`."""
+    """`site`, `agent file` (or robot's, detector's) or `agent option`; else the field of
+    `RunDefinition`."""
     name: str
     there: Any
     """None where that run does not have it."""
@@ -361,7 +364,7 @@ def _flat(
         elif name == "sites":
             for stamp in part:
                 yield "site", f"site {stamp['name']}", stamp["sha256"][:12]
-        elif name in {"agent_files", "robot_files"}:
+        elif name in {"agent_files", "robot_files", "detector_files"}:
             kind = name.partition("_")[0]
             for stamp in part:
                 told = f"{kind}.file {stamp['name']}"

@@ -12,13 +12,16 @@ from memorymaze.perception.camera_view import (
 )
 from memorymaze.perception.detector import Detector, TruthDetector
 from memorymaze.perception.matching import MATCH_THRESHOLD, match_score
+from memorymaze.perception.picture_detector import FoundBox, ObjectFinder
 from memorymaze.perception.tracking import SingleSighting, Tracker
 
 __all__ = [
     "MATCH_THRESHOLD",
     "CameraView",
     "Detector",
+    "FoundBox",
     "ObjectDescription",
+    "ObjectFinder",
     "SingleSighting",
     "Tracker",
     "TruthDetector",

@@ -1,9 +1,8 @@
 """The eyes of a run: which detector and which reader of signs, made for each episode."""
 
-from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Literal, get_args
+from typing import Any, Literal
 
 import numpy as np
 
@@ -12,7 +11,8 @@ from memorymaze.options import check_number, parse_options, write_options
 from memorymaze.perception.detector import Detector, TruthDetector
 from memorymaze.perception.error_model import ErrorModel, ErrorSource
 from memorymaze.perception.grounding_dino import DEFAULT_CHECKPOINT, ZeroShotFinder
-from memorymaze.perception.picture_detector import PictureDetector
+from memorymaze.perception.own_finder import make_own_finder
+from memorymaze.perception.picture_detector import ObjectFinder, PictureDetector
 from memorymaze.perception.sign_reading import (
     PictureSignReader,
     SignReader,
@@ -21,10 +21,8 @@ from memorymaze.perception.sign_reading import (
 )
 from memorymaze.robot.api import DETECTION_RANGE
 
-if TYPE_CHECKING:
-    from memorymaze.perception.remote_detector import RemoteFinder
-
-DetectorName = Literal["truth", "grounding-dino", "remote"]
+DETECTORS = ("truth", "grounding-dino")
+"""Those that come with the package."""
 SignSource = Literal["truth", "ocr"]
 
 
@@ -32,47 +30,45 @@ SignSource = Literal["truth", "ocr"]
 class DetectorSettings:
     """Which detector a run has, and how it is set."""
 
-    name: DetectorName = "truth"
-    """What it is."""
+    name: str = "truth"
+    """From `DETECTORS`, or `module:Class` or `file.py:Class` of a finder of one's own."""
     errors: ErrorModel | None = None
     """Mistakes of `truth`; None makes none."""
     checkpoint: str | None = None
     """Of `grounding-dino`: a folder, or a name in the Hugging Face cache."""
-    url: str | None = None
-    """Of `remote`: address of the server."""
     box_threshold: float = 0.35
-    """Least score of a box, 0 to 1; not for `truth`."""
+    """Of `grounding-dino`: least score of a box, 0 to 1."""
     text_threshold: float = 0.25
-    """Least score of a word to be part of the label, 0 to 1; not for `truth`."""
+    """Of `grounding-dino`: least score of a word to be part of the label, 0 to 1."""
     device: str = "auto"
     """Of `grounding-dino`: `cpu`, `cuda`, …; `auto` takes a GPU where there is one."""
     download: bool = False
     """Of `grounding-dino`: whether the checkpoint may be fetched."""
-    timeout: float = 60.0
-    """Of `remote`: seconds for a whole reply to come."""
+    options: str = ""
+    """Of one's own: `NAME=VALUE,NAME=VALUE`."""
 
     def __post_init__(self) -> None:
         """Check every value."""
-        if self.name not in get_args(DetectorName):
+        if self.name not in DETECTORS and not self.is_own:
             raise SettingsError(
-                f"detector: expected one of {', '.join(get_args(DetectorName))}; got "
-                f"{self.name!r}"
+                f"detector: expected one of {', '.join(DETECTORS)}, with settings after a "
+                "colon, or a finder of your own as module:Class or file.py:Class, got "
+                f"{self.name!r}{did_you_mean(self.name, DETECTORS)}"
             )
         for name in ("box_threshold", "text_threshold"):
             check_number(f"detector setting {name}", getattr(self, name), 0, 1)
-        check_number("detector setting timeout", self.timeout, above=0, most=86_400)
-        if self.name == "remote" and not self.url:
-            raise SettingsError(
-                "detector remote: expected the address of a server, such as "
-                "remote:http://localhost:8000/"
-            )
+
+    @property
+    def is_own(self) -> bool:
+        """Whether it is a finder of a user's own."""
+        return self.name.rpartition(":")[2].isidentifier() and ":" in self.name
 
     @property
     def short_name(self) -> str:
         """What tables call it: `detector grounding-dino`, `detector with mistakes`."""
         if self.name == "truth":
             return "detector" if self.errors is None else "detector with mistakes"
-        return f"detector {self.name}"
+        return f"detector {self.name.rpartition('/')[2]}"
 
     def __str__(self) -> str:
         """Return it as the command line takes it, with what differs from the default."""
@@ -80,40 +76,40 @@ class DetectorSettings:
             if self.errors is None:
                 return "truth"
             return "truth:" + write_options(self.errors)
-        where = self.url if self.name == "remote" else self.checkpoint
-        plain = DetectorSettings(self.name, url=self.url)
-        changed = write_options(self, _SETTINGS[self.name], changed_from=plain)
-        return f"{self.name}:{','.join(filter(None, [where, changed]))}".rstrip(":")
+        if self.is_own:
+            return f"{self.name},{self.options}".rstrip(",")
+        changed = write_options(self, _SETTINGS, changed_from=TRUTH)
+        settings = ",".join(filter(None, [self.checkpoint, changed]))
+        return f"{self.name}:{settings}".rstrip(":")
 
 
 TRUTH = DetectorSettings()
 """The default: a detector that knows the truth and makes no mistakes."""
 
 
-_SETTINGS: Mapping[str, Sequence[str]] = {
-    "grounding-dino": ("box_threshold", "text_threshold", "device", "download"),
-    "remote": ("box_threshold", "text_threshold", "timeout"),
-}
-"""Settings that detectors which look have on the command line."""
+_SETTINGS = ("box_threshold", "text_threshold", "device", "download")
+"""Those of `grounding-dino` on the command line."""
 
 
 def parse_detector(text: str) -> DetectorSettings:
     """Read a detector as the command line gives it: `NAME` or `NAME:SETTINGS`.
 
     `truth`, `truth:miss=0.2,phantoms=0`, `grounding-dino:path/to/checkpoint,device=cpu`,
-    `remote:http://localhost:8000/,box_threshold=0.4`. Naming any setting of `truth`
+    or one's own, `my_finder.py:MyFinder,threshold=0.4`. Naming any setting of `truth`
     switches its error model on; `truth:` with the word `errors` takes its defaults.
     """
     name, _, rest = (part.strip() for part in text.partition(":"))
-    known = get_args(DetectorName)
-    if name not in known:
+    if name == "remote" and rest.startswith("http"):
         raise SettingsError(
-            f"detector: expected one of {', '.join(known)}, with settings after a "
-            f"colon, got {name!r}{did_you_mean(name, known)}"
+            "detector remote: is a finder of its own in examples/ now; give "
+            f"detector=examples/remote_finder.py:RemoteFinder,url={rest}"
         )
+    if name not in DETECTORS:
+        place, _, options = (part.strip() for part in text.partition(","))
+        return DetectorSettings(place, options=options)
     subject = f"detector {name}"
     where, _, settings = (part.strip() for part in rest.partition(","))
-    if "=" in where and name != "remote":
+    if "=" in where:
         where, settings = "", rest
     if name == "truth":
         if where not in ("", "errors"):
@@ -125,10 +121,8 @@ def parse_detector(text: str) -> DetectorSettings:
         errors = parse_options(ErrorModel, settings, subject=subject)
         return DetectorSettings(errors=errors if where or settings else None)
     start = DetectorSettings("grounding-dino", checkpoint=where or DEFAULT_CHECKPOINT)
-    if name == "remote":
-        start = DetectorSettings("remote", url=where)
     return parse_options(
-        DetectorSettings, settings, subject=subject, start=start, only=_SETTINGS[name]
+        DetectorSettings, settings, subject=subject, start=start, only=_SETTINGS
     )
 
 
@@ -151,9 +145,9 @@ class Eyes:
         return self.detector.name != "truth" or self.signs != "truth"
 
     def check(self) -> None:
-        """Find out early what is missing: packages, a checkpoint, a server."""
+        """Find out early what is missing: packages, a checkpoint, what one's own needs."""
         if self.detector.name != "truth":
-            self._finder.check()
+            _ = self._finder
         if self.signs == "ocr":
             self._recognizer.check()
 
@@ -174,25 +168,19 @@ class Eyes:
         return PictureSignReader(self._recognizer)
 
     @cached_property
-    def _finder(self) -> "ZeroShotFinder | RemoteFinder":
+    def _finder(self) -> ObjectFinder:
         settings = self.detector
-        if settings.name == "remote":
-            # Few runs need what checks a server's answers.
-            from memorymaze.perception.remote_detector import RemoteFinder
-
-            return RemoteFinder(
-                settings.url or "",
-                box_threshold=settings.box_threshold,
-                text_threshold=settings.text_threshold,
-                timeout=settings.timeout,
-            )
-        return ZeroShotFinder(
+        if settings.is_own:
+            return make_own_finder(settings.name, settings.options)
+        finder = ZeroShotFinder(
             settings.checkpoint or DEFAULT_CHECKPOINT,
             box_threshold=settings.box_threshold,
             text_threshold=settings.text_threshold,
             device=settings.device,
             download=settings.download,
         )
+        finder.check()
+        return finder
 
     @cached_property
     def _recognizer(self) -> Any:

@@ -77,7 +77,7 @@ class ZeroShotFinder:
             images=Image.fromarray(rgb),
             text=sentence,
             return_tensors="pt",
-            **loaded.cut,
+            truncation=True,
         ).to(loaded.device)
         with torch.inference_mode():
             outputs = loaded.model(**inputs)
@@ -145,7 +145,6 @@ class _Loaded:
             )
         self.takes = frozenset(inspect.signature(process).parameters)
         self.reads_sentences = "text_threshold" in self.takes
-        self.cut = {"truncation": True} if self.reads_sentences else {}
 
     def label(self, text: str) -> str:
         """Return a label without the marks that tokenizers leave in it."""
@@ -191,7 +190,9 @@ def _not_there(checkpoint: str, download: bool, error: Exception) -> SettingsErr
 
 def _plain(query: str) -> str:
     """Return words in lower case; a full stop would begin another label."""
-    words = query.lower().replace(".", " ").split()
+    # Words may hold halves of characters, which no tokenizer takes.
+    whole = query.encode("utf-8", "replace").decode("utf-8")
+    words = whole.lower().replace(".", " ").split()
     return " ".join(words)
 
 

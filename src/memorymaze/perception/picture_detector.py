@@ -38,12 +38,30 @@ class FoundBox:
     score: float
     """How sure it is, 0 to 1."""
 
+    def __post_init__(self) -> None:
+        """Refuse what is no box of a picture."""
+        left, top, right, bottom = self.box
+        if not (left <= right and top <= bottom and all(map(math.isfinite, self.box))):
+            raise ValueError(
+                "expected a box as left, top, right, bottom in pixels, got "
+                f"{list(self.box)}"
+            )
+        if not self.label.strip() or not 0 <= self.score <= 1:
+            raise ValueError(
+                "expected a box with a label and a score from 0 to 1, got "
+                f"{self.label!r} and {self.score}"
+            )
+
 
 class ObjectFinder(Protocol):
     """Finds things by name in a picture; one serves any number of episodes."""
 
     def find(self, rgb: NDArray[np.uint8], query: str) -> Sequence[FoundBox]:
-        """Return what fits the words in a picture, (height, width, 3)."""
+        """Return what fits any words in a picture, (height, width, 3), and leave it as it is.
+
+        Raises:
+            DetectorError: It failed, which is not the query's fault.
+        """
         ...
 
 

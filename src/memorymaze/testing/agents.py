@@ -6,7 +6,6 @@ from typing import Any, cast
 import numpy as np
 
 from memorymaze.agents.agent import Agent, FairLimits, Journal
-from memorymaze.agents.failures import failure_line
 from memorymaze.agents.making import checked_agent, checked_needs
 from memorymaze.errors import (
     EpisodeOver,
@@ -15,6 +14,7 @@ from memorymaze.errors import (
     SettingsError,
 )
 from memorymaze.evaluation.guarded_robot import hand_over
+from memorymaze.failures import failure_line
 from memorymaze.pictures import robot_cameras
 from memorymaze.robot.specification import API_NAMES
 from memorymaze.robot.steps import SteppingRobot

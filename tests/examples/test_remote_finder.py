@@ -4,24 +4,29 @@ import base64
 import contextlib
 import io
 import json
-import runpy
+import sys
 import threading
 from collections.abc import Iterator
 from http.server import BaseHTTPRequestHandler, HTTPServer, ThreadingHTTPServer
 from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from PIL import Image
 
 from memorymaze.errors import DetectorError, SettingsError
+from memorymaze.own_code import find_own
+from memorymaze.perception.eyes import Eyes, parse_detector
 from memorymaze.perception.grounding_dino import ZeroShotFinder
 from memorymaze.perception.picture_detector import FoundBox
-from memorymaze.perception.remote_detector import RemoteFinder
+from memorymaze.testing import check_object_finder
 
-EXAMPLE = Path(__file__).parents[2] / "examples" / "detector_server.py"
-server = SimpleNamespace(**runpy.run_path(str(EXAMPLE)))
+EXAMPLES = Path(__file__).parents[2] / "examples"
+REMOTE = f"{EXAMPLES / 'remote_finder.py'}:RemoteFinder"
+RemoteFinder = find_own("detector", REMOTE)
+server = sys.modules[
+    find_own("server", f"{EXAMPLES / 'detector_server.py'}:main").__module__
+]
 
 RGB = np.random.default_rng(1).integers(0, 255, (480, 640, 3), dtype=np.uint8)
 GOOD = {"boxes": [[1, 2, 30, 40]], "labels": ["door"], "scores": [0.9]}
@@ -48,8 +53,11 @@ def serving(server: HTTPServer) -> Iterator[str]:
 
 
 def scripted(*answers, asked: list | None = None) -> HTTPServer:
-    """Return a server that gives these answers in turn: JSON, bytes or a status."""
-    left = list(answers)
+    """Return a server that gives these answers in turn: JSON, bytes or a status.
+
+    A finder that is made is answered well.
+    """
+    left = [GOOD, *answers]
 
     class Handler(BaseHTTPRequestHandler):
         def do_POST(self) -> None:
@@ -88,8 +96,9 @@ def scripted(*answers, asked: list | None = None) -> HTTPServer:
     return server
 
 
-def client(url: str, **changes) -> RemoteFinder:
-    return RemoteFinder(url, **{"first_delay": 0.0, "timeout": 5.0, **changes})
+def client(url: str, **changes):
+    given = {"first_delay": 0.0, "timeout": 5.0, **changes}
+    return RemoteFinder(RemoteFinder.Options(url, **given))
 
 
 def test_a_picture_is_sent_as_documented_and_boxes_come_back():
@@ -98,7 +107,7 @@ def test_a_picture_is_sent_as_documented_and_boxes_come_back():
         found = client(url, box_threshold=0.4, text_threshold=0.3).find(RGB, "red door")
 
     assert found == [FoundBox((1, 2, 30, 40), "door", 0.9)]
-    [request] = asked
+    _, request = asked
     assert set(request) == {"image", "query", "box_threshold", "text_threshold"}
     assert (request["query"], request["box_threshold"]) == ("red door", 0.4)
     with Image.open(io.BytesIO(base64.b64decode(request["image"]))) as image:
@@ -127,7 +136,9 @@ def test_a_fault_that_passes_is_tried_again(fault):
             {**GOOD, "labels": []}, "as many boxes as labels", id="too few labels"
         ),
         pytest.param({**GOOD, "scores": [3]}, "scores.0", id="a score above 1"),
-        pytest.param({**GOOD, "boxes": [[9, 2, 3, 4]]}, "left, top", id="box turned"),
+        pytest.param(
+            {**GOOD, "boxes": [[9, 2, 3, 4]]}, "no list.*left, top", id="box turned"
+        ),
         pytest.param({**GOOD, "boxes": [[1, 2, 3]]}, "boxes.0", id="box of three"),
         pytest.param(
             b'{"boxes": [[1, 2, NaN, 4]], "labels": ["a"], "scores": [1]}',
@@ -158,15 +169,21 @@ def test_a_server_that_does_not_answer_is_not_waited_for_for_ever(answer: str):
 
 def test_a_server_that_is_not_there_is_found_out_before_the_run():
     with serving(scripted(GOOD)) as url:
-        client(url).check()
-    with pytest.raises(SettingsError, match="is it running"):
-        client(url).check()
+        client(url)
+    eyes = Eyes(parse_detector(f"{REMOTE},url={url},first_delay=0"))
+    with pytest.raises(SettingsError, match=r"cannot be made.*is it running"):
+        eyes.check()
 
 
-@pytest.mark.parametrize("url", ["", "detector", "file:///etc/passwd", "http://:1/"])
+@pytest.mark.parametrize("url", ["detector", "file:///etc/passwd"])
 def test_what_is_no_address_is_refused(url: str):
-    with pytest.raises(SettingsError, match="expected an address such as"):
-        RemoteFinder(url)
+    with pytest.raises(DetectorError, match="cannot be asked"):
+        client(url)
+
+
+def test_it_keeps_the_contract_of_finders():
+    with serving(scripted(GOOD)) as url:
+        check_object_finder(client(url), RGB)
 
 
 def test_the_reference_server_gives_what_the_model_finds(grounding_dino: Path):

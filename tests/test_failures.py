@@ -1,12 +1,12 @@
 import pytest
 
-from memorymaze.agents.failures import (
+from memorymaze.agents.stop import StopAgent
+from memorymaze.errors import LanguageModelError, ProgramError
+from memorymaze.failures import (
     WorkerLost,
     failure_line,
     failure_traceback,
 )
-from memorymaze.agents.stop import StopAgent
-from memorymaze.errors import LanguageModelError, ProgramError
 
 
 class Mute(Exception):

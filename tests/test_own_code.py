@@ -6,12 +6,12 @@ from pathlib import Path
 
 import pytest
 
-from memorymaze.agents.files import agent_files, agent_fingerprint
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.plan import RunPlan
 from memorymaze.evaluation.run_folder import RunRecord, open_run_folder
 from memorymaze.evaluation.settings import RunDefinition, differences
 from memorymaze.input_files import FileStamp
+from memorymaze.own_code import own_files, own_fingerprint
 
 
 def write(folder: Path, files: dict[str, str]) -> str:
@@ -37,7 +37,7 @@ def test_what_an_agent_imports_from_beside_it_belongs_to_it(tmp_path: Path) -> N
         },
     )
     names = ["guide.py", "maps.py", "parts/legs.py", "paper.py", "parts/feet.py"]
-    assert list(agent_files(agent)) == names
+    assert list(own_files(agent)) == names
 
 
 def test_packages_are_followed_from_their_own_modules(tmp_path: Path) -> None:
@@ -50,7 +50,7 @@ def test_packages_are_followed_from_their_own_modules(tmp_path: Path) -> None:
         },
     )
     names = ["guide.py", "maps/__init__.py", "maps/ink.py"]
-    assert list(agent_files(agent)) == names
+    assert list(own_files(agent)) == names
 
 
 def test_modules_are_found_where_python_finds_them(
@@ -58,27 +58,27 @@ def test_modules_are_found_where_python_finds_them(
 ) -> None:
     monkeypatch.syspath_prepend(tmp_path)
     write(tmp_path, {"lost_guides/one": "import lost_paths", "lost_paths": ""})
-    found = agent_files("lost_guides.one:Guide")
+    found = own_files("lost_guides.one:Guide")
     assert list(found) == ["lost_guides/one.py", "lost_paths.py"]
 
 
 def test_installed_agents_and_those_that_come_along_have_no_files_beside_them() -> None:
-    assert list(agent_files("numpy.linalg:norm")) == ["__init__.py"]
-    assert agent_files("guide") == {}
+    assert list(own_files("numpy.linalg:norm")) == ["__init__.py"]
+    assert own_files("guide") == {}
 
 
 def test_a_file_that_is_no_python_is_an_agents_own_all_the_same(tmp_path: Path) -> None:
     agent = write(tmp_path, {"guide": "import broken", "broken": "def ("})
-    assert list(agent_files(agent)) == ["guide.py", "broken.py"]
+    assert list(own_files(agent)) == ["guide.py", "broken.py"]
 
 
 def test_an_edit_beside_an_agent_changes_its_fingerprint(tmp_path: Path) -> None:
     agent = write(tmp_path, {"guide": "import maps", "maps": "x = 1", "unrelated": ""})
-    before = agent_fingerprint(agent)
+    before = own_fingerprint(agent)
     write(tmp_path, {"unrelated": "x = 2"})
-    assert agent_fingerprint(agent) == before
+    assert own_fingerprint(agent) == before
     write(tmp_path, {"maps": "x = 2"})
-    changed = set(before) - set(agent_fingerprint(agent))
+    changed = set(before) - set(own_fingerprint(agent))
     assert [stamp.name for stamp in changed] == ["maps.py"]
 
 
@@ -127,7 +127,7 @@ def test_an_agent_that_is_handed_over_is_known_by_the_file_of_its_class() -> Non
     class Handed:
         pass
 
-    names = [stamp.name for stamp in agent_fingerprint("some:Handed", Handed())]
+    names = [stamp.name for stamp in own_fingerprint("some:Handed", Handed())]
     assert names[0] == Path(__file__).name
 
 
@@ -139,7 +139,7 @@ def test_an_agent_from_a_notebook_is_known_by_its_source(
 
     monkeypatch.setattr(Noted, "__module__", "a_notebook")
     monkeypatch.setattr(inspect, "getsource", lambda kind: "class Noted: pass")
-    [stamp] = agent_fingerprint("a_notebook:Noted", Noted())
+    [stamp] = own_fingerprint("a_notebook:Noted", Noted())
     assert stamp.name.startswith("class ")
 
 

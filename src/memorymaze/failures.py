@@ -1,4 +1,4 @@
-"""What is told of an agent that failed: a line for its result, more for its trace."""
+"""What is told of code that failed: a line for its result, more for its trace."""
 
 import importlib
 import sys
@@ -16,7 +16,8 @@ TRACEBACK_LINES = 60
 NOBODYS_PLACES = (
     "<",
     str(Path(importlib.__file__).parent),
-    str(Path(__file__).parents[1] / "evaluation"),
+    str(Path(__file__).parent / "evaluation"),
+    str(Path(__file__).parent / "own_code"),
 )
 """Beginnings of the files in which no agent's fault lies: what imports and calls it."""
 
