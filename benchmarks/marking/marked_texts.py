@@ -12,6 +12,8 @@ from memorymaze.understanding.marking.marks import OF_NO_LEG, ends_leg
 from memorymaze.understanding.marking.word_pieces import Word, words_in
 
 MARKED_TEXTS = Path("examples/marked_texts")
+TIMES = {"shipped": 2, "voices": 2}
+"""How often texts count whose manner few others have, by the file they are in."""
 SIDES = frozenset({"left", "right"})
 
 
@@ -41,19 +43,30 @@ class MarkedText:
     turns: int
 
 
-def load_marked_texts(folder: Path = MARKED_TEXTS) -> list[MarkedText]:
-    """Return all marked texts of a folder."""
+def load_marked_texts(
+    folder: Path = MARKED_TEXTS, sail: Path | None = None
+) -> list[MarkedText]:
+    """Return all marked texts of a folder; those of SAIL where its folder is given."""
     corpus = {
         each.instruction.id: each.instruction.text for each in load_corpus().episodes
     }
+    if sail is not None:
+        lines = (sail / "instructions.jsonl").read_text("utf-8").splitlines()
+        corpus |= {each["id"]: each["text"] for each in map(json.loads, lines)}
     texts: list[MarkedText] = []
     for path in sorted(folder.glob("*.jsonl")):
+        if path.stem == "sail" and sail is None:
+            continue
         for line in path.read_text("utf-8").splitlines():
             record = json.loads(line)
             number = record["id"]
-            person = number if path.stem == "invented" else number.rpartition("-")[0]
+            person = {
+                "invented": number,
+                "sail": number.partition("-")[0],
+            }.get(path.stem, number.rpartition("-")[0])
             text = record.get("text") or corpus[number]
-            texts.append(_marked(number, person, text, record["marks"]))
+            marked = _marked(number, person, text, record["marks"])
+            texts += [marked] * TIMES.get(path.stem, 1)
     return texts
 
 
@@ -61,17 +74,21 @@ def _marked(number: str, person: str, text: str, marks: Sequence[Any]) -> Marked
     words = words_in(text)
     marked = [MarkedWord(each.text) for each in words]
     after = 0
-    for said, label, leg in marks:
-        start = text.index(said, after)
-        after = start + len(said)
+    for *said, label, leg in marks:
+        if len(said) == 2:
+            inside = range(*said)
+        else:
+            start = text.index(said[0], after)
+            after = start + len(said[0])
+            inside = _within(words, start, after)
         kind = label.split(":")[0]
         label = kind if kind in {"ordinal", "nth"} else label
-        for place, at in enumerate(_within(words, start, after)):
+        for place, at in enumerate(inside):
             if not marked[at].label:
                 marked[at] = replace(
                     marked[at], label=label, begins=place == 0, leg=leg
                 )
-    turns = max((leg for _, _, leg in marks), default=0)
+    turns = max((each[-1] for each in marks), default=0)
     return MarkedText(number, person, tuple(_only_sides(marked)), turns)
 
 

@@ -1,5 +1,6 @@
 """Texts put together anew are still told leg by leg, with each turn once."""
 
+import json
 from pathlib import Path
 
 import pytest
@@ -26,6 +27,19 @@ def _plan(words) -> RoutePlan:  # type: ignore[no-untyped-def]
             for a, b in marks_of(words)
         ],
     )
+
+
+def test_marks_by_numbers_of_words_are_found_in_sails_texts(tmp_path: Path) -> None:
+    (tmp_path / "marks").mkdir()
+    line = {"id": "A-Grid-1", "marks": [[1, 2, "turn:left", 0], [4, 5, "dest", 1]]}
+    (tmp_path / "marks" / "sail.jsonl").write_text(json.dumps(line))
+    told = {"id": "A-Grid-1", "text": "turn left at the chair"}
+    (tmp_path / "instructions.jsonl").write_text(json.dumps(told))
+    assert load_marked_texts(tmp_path / "marks") == []
+    [text] = load_marked_texts(tmp_path / "marks", tmp_path)
+    marked = [(each.text, each.label) for each in text.words if each.label]
+    assert marked == [("left", "turn:left"), ("chair", "dest")]
+    assert (text.person, text.turns) == ("A", 1)
 
 
 def test_the_marks_of_a_text_make_a_plan_with_its_turns() -> None:

@@ -41,11 +41,21 @@ def test_marks_are_found_in_their_texts_one_after_the_other(name: str) -> None:
             end = begin + len(words)
 
 
-@pytest.mark.parametrize("name", ["shipped", "voices", "invented"])
+def test_marks_of_texts_that_are_not_here_are_numbers_of_words() -> None:
+    for line in _lines("sail"):
+        assert line.keys() == {"id", "marks"}
+        end = 0
+        for begin, after, label, _ in line["marks"]:
+            assert end <= begin < after, line["id"]
+            assert LABEL.fullmatch(label), (line["id"], label)
+            end = after
+
+
+@pytest.mark.parametrize("name", ["shipped", "voices", "invented", "sail"])
 def test_each_leg_has_one_turn_and_the_destination_comes_after_all(name: str) -> None:
     for line in _lines(name):
         legs = {"turn": [], "dest": []}
-        for _, label, leg in line["marks"]:
+        for *_, label, leg in line["marks"]:
             kind = "turn" if label.startswith(("turn:", "bend:")) else label
             legs.setdefault(kind, []).append(leg)
         assert sorted(legs["turn"]) == list(range(len(legs["turn"]))), line["id"]

@@ -217,3 +217,44 @@ def test_where_no_destination_is_named_nothing_passed_becomes_one() -> None:
         ("door", "dest", 1),
     )
     assert plan.arrival.destinations == ("door",)
+
+
+def test_a_floor_that_is_walked_on_is_faced_at_the_start_and_led_to_by_a_turn() -> None:
+    plan = _plan(
+        "Take the yellow path to the stool, then left. Walk along the blue carpet.",
+        ("yellow path", "thing:along", 0),
+        ("stool", "thing:turn", 0),
+        ("left", "turn:left", 0),
+        ("blue carpet", "thing:along", 1),
+    )
+    assert plan.start.facing == "yellow floor"
+    (leg,) = plan.legs
+    assert leg.mentions == (
+        Mention("stool", "object", "turn"),
+        Mention("blue floor", "floor", "target", side="ahead"),
+    )
+    assert plan.arrival.mentions == ()
+
+
+def test_what_is_walked_towards_first_is_faced_and_still_on_the_way() -> None:
+    plan = _plan(
+        "Go towards the lamp. At the end go right.",
+        ("lamp", "thing:along", 0),
+        ("end", "end", 0),
+        ("right", "turn:right", 0),
+    )
+    assert plan.start.facing == "lamp"
+    assert plan.legs[0].mentions == (Mention("lamp", "object", "along"),)
+
+
+def test_nobody_arrives_at_a_floor_nor_learns_from_one_how_many_ways_meet() -> None:
+    plan = _plan(
+        "Left at the intersection with the pink path, on to where the red brick begins.",
+        ("Left", "turn:left", 0),
+        ("intersection", "junction:crossing", 0),
+        ("pink path", "thing:turn", 0),
+        ("red brick", "dest", 1),
+    )
+    assert plan.legs[0].turn == Turn("left")
+    assert plan.arrival.destinations == ()
+    assert plan.arrival.mentions == (Mention("brick floor", "floor", "turn"),)
