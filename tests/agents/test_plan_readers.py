@@ -40,10 +40,11 @@ def test_what_two_readers_make_of_a_text_counts_as_two_tellings_if_it_differs() 
     readers = GrammarReader(), LearnedReader()
     plans = [each.read(text, Journal()) for each in readers]
     assert plans[0] != plans[1]
-    assert BothReader().read_tellings(text, Journal()) == plans
+    assert BothReader().read_tellings(text, Journal()) == [plans]
     twice = BothReader().read_tellings(text + TOLD_AGAIN + text, Journal())
-    assert twice == plans * 2
-    assert len(BothReader().read_tellings("", Journal())) == 1
+    assert twice == [plans, plans]
+    [[nothing]] = BothReader().read_tellings("", Journal())
+    assert nothing.legs == ()
 
 
 def test_a_reply_that_is_no_plan_is_asked_for_once_more_with_what_is_wrong() -> None:
@@ -197,7 +198,8 @@ def test_every_recorded_plan_can_be_read() -> None:
 def test_each_telling_is_read_by_itself_and_asked_about_by_number() -> None:
     right = LEFT.replace("left", "right")
     model = ScriptedLanguageModel([LEFT, right])
-    plans = ModelReader(model).read_tellings(TEXT + TOLD_AGAIN + "Or right.", Journal())
+    told = ModelReader(model).read_tellings(TEXT + TOLD_AGAIN + "Or right.", Journal())
+    plans = [plan for [plan] in told]
     assert [plan.legs[0].turn.way for plan in plans] == ["left", "right"]
     assert [each.messages[-1].content for each in model.requests] == [TEXT, "Or right."]
     numbers = [each.question.number for each in model.requests if each.question]

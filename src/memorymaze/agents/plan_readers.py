@@ -53,11 +53,13 @@ class PlanReader(ABC):
         """Return what an instruction says, whole."""
         return self._read(instruction, journal, count(1))
 
-    def read_tellings(self, instruction: str, journal: Journal) -> list[RoutePlan]:
-        """Return what each telling of an instruction says, in their order."""
+    def read_tellings(
+        self, instruction: str, journal: Journal
+    ) -> list[list[RoutePlan]]:
+        """Return the readings of each telling of an instruction, in their order."""
         numbers = count(1)
         told = tellings_of(instruction)
-        return [self._read(telling, journal, numbers) for telling in told]
+        return [[self._read(telling, journal, numbers)] for telling in told]
 
     @abstractmethod
     def _read(
@@ -95,10 +97,9 @@ class LearnedReader(PlanReader):
 
 
 class BothReader(GrammarReader):
-    """Reads with the grammar and with the network, as if two people had told the way.
+    """Reads with the grammar and with the network, of which one may be right.
 
-    They err on different texts, so where one errs the other often holds against it. One
-    plan alone is the grammar's.
+    They err on different texts. One plan alone is the grammar's.
     """
 
     @property
@@ -106,17 +107,20 @@ class BothReader(GrammarReader):
         """Nothing: these are what an agent has unless it is told otherwise."""
         return ""
 
-    def read_tellings(self, instruction: str, journal: Journal) -> list[RoutePlan]:
+    def read_tellings(
+        self, instruction: str, journal: Journal
+    ) -> list[list[RoutePlan]]:
         """Return what both make of each telling.
 
         It is one plan where they agree, and where one of them finds no turn at all: that
         one has missed them.
         """
-        plans: list[RoutePlan] = []
+        tellings: list[list[RoutePlan]] = []
         for telling in tellings_of(instruction):
             read = parse_route_description(telling), read_by_marks(telling)
-            plans += dict.fromkeys([plan for plan in read if plan.legs] or read[:1])
-        return plans
+            with_turns = [plan for plan in read if plan.legs]
+            tellings.append(list(dict.fromkeys(with_turns or read[:1])))
+        return tellings
 
 
 class WrittenPlanReader(PlanReader):

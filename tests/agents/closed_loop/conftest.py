@@ -177,7 +177,7 @@ class Believes:
             say=lambda words: None,
             survey=lambda phrases: None,
         )
-        search = Search([self._plan], walker, Journal())  # type: ignore[arg-type]
+        search = Search([self._plan], [0], walker, Journal())  # type: ignore[arg-type]
         search._begin()
         walker.at = log.at
         search._update()

@@ -11,6 +11,37 @@ from memorymaze.agents.walking.floor_map import Crossing, FloorMap
 from memorymaze.understanding import parse_route_description
 
 
+def shares_of(*said: tuple[str, int]) -> dict[tuple[int, int], float]:
+    """Return how likely each way is, by texts and which telling each is a reading of."""
+    floor, model = FloorMap(), Likelihoods()
+    floor.crossings[0] = Crossing(0, (0.0, 0.0), [0.0, math.pi / 2, -math.pi / 2])
+    tellings = Tellings(floor, model)
+    for text, told in said:
+        telling = tellings.add(parse_route_description(text), told=told)
+        telling.starts = starts_ahead(model, floor, 0)
+    tellings.update()
+    return {key: f.mass / tellings.total for key, f in tellings.frontiers.items()}
+
+
+def test_readings_of_one_telling_share_what_is_likely_and_do_not_bear_out() -> None:
+    left, right = "Turn left at once.", "Turn right at once."
+    once, other = shares_of((left, 0)), shares_of((right, 0))
+    between = {key: (once[key] + other[key]) / 2 for key in once}
+    assert shares_of((left, 0), (right, 0)) == pytest.approx(between)
+    assert shares_of((left, 0), (left, 0)) == pytest.approx(once)
+
+
+def test_two_tellings_bear_each_other_out_and_opposite_readings_of_one_say_nothing() -> (
+    None
+):
+    left, right = "Turn left at once.", "Turn right at once."
+    way = max(shares_of((left, 0)), key=shares_of((left, 0)).__getitem__)
+    once, twice = shares_of((left, 0)), shares_of((left, 0), (left, 1))
+    assert twice[way] > once[way]
+    opposite = shares_of((left, 0), (left, 1), (right, 1))
+    assert opposite[way] == pytest.approx(once[way], abs=0.002)
+
+
 def test_a_telling_that_explains_nothing_leaves_the_others_as_they_are() -> None:
     floor, model = FloorMap(), Likelihoods()
     floor.crossings[0] = Crossing(0, (0.0, 0.0), [0.0, math.pi / 2, -math.pi / 2])

@@ -73,7 +73,9 @@ class GuideAgent(ReadsFirst):
         anyhow = options.start_heading == "unknown"
         # Read before the robot is touched, so that what is asked of a model can be
         # written down where there is no building.
-        plans = self.reader.read_tellings(instruction, journal)
+        tellings = self.reader.read_tellings(instruction, journal)
+        plans = [plan for readings in tellings for plan in readings]
+        told = [n for n, readings in enumerate(tellings) for _ in readings]
         walker = Walker(robot, reads_signs=options.signs)
         for plan in plans:
             journal.add(PlanNote(describe(plan)))
@@ -88,6 +90,7 @@ class GuideAgent(ReadsFirst):
             plans = [inquiry.named(p if options.told else RoutePlan()) for p in plans]
         Search(
             plans,
+            told,
             walker,
             journal,
             any_heading=anyhow,

@@ -51,6 +51,7 @@ class Search:
     def __init__(
         self,
         plans: Sequence[RoutePlan],
+        told: Sequence[int],
         walker: Walker,
         journal: Journal,
         *,
@@ -61,14 +62,16 @@ class Search:
         """Prepare to follow what was told from where the robot stands.
 
         Args:
-            plans: What was said; several where the way was told several times.
+            plans: What was said; several where the way was told several times, or a
+                telling is read in several ways.
+            told: Which telling each plan is a reading of.
             walker: Drives the robot and draws the map.
             journal: Takes the notes.
             any_heading: The robot may have to face any way at the start.
             goes_back: It may go back for another explanation.
             inquiry: Asks people, where there are some.
         """
-        self._plans = plans
+        self._plans, self._told = plans, told
         self._walker = walker
         self._journal = journal
         self._any_heading = any_heading
@@ -108,8 +111,8 @@ class Search:
     def _begin(self) -> None:
         walker = self._walker
         self._said: str | None = None
-        for plan in self._plans:
-            self._tellings.add(plan)
+        for plan, told in zip(self._plans, self._told, strict=True):
+            self._tellings.add(plan, told=told)
         if self._any_heading:
             first = map(phrases_at_start, self._plans)
             walker.look_about(each_once([self._looks, *first, self._tellings.names]))

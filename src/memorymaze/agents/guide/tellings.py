@@ -1,8 +1,13 @@
-"""Several tellings of one way, each with a belief of its own, joined place by place."""
+"""Several tellings of one way, and readings of each, joined place by place.
+
+Every reading has a belief of its own.
+"""
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import chain
+from statistics import fmean
 
 from memorymaze.agents.guide.alignments import AssumedStart, Frontier, Segment
 from memorymaze.agents.guide.arriving import SAME_PLACE, Arrivals, Ending
@@ -23,7 +28,7 @@ MOST_FIT = 5.0
 
 
 class Telling:
-    """One telling: its plan, what it makes likely, and where it may end."""
+    """One telling as it is read: its plan, what it makes likely, and where it may end."""
 
     def __init__(
         self,
@@ -33,13 +38,15 @@ class Telling:
         number: int,
         trust: float,
         breaks_off: bool,
+        told: int,
     ) -> None:
-        """Take a plan.
+        """Take a plan, and which telling it is a reading of.
 
         Trust is how likely it is of any help; one that breaks off says nothing of where
         to go after its last turn.
         """
         self.plan = plan
+        self.told = told
         self.breaks_off = breaks_off
         self.starts: list[AssumedStart] = []
         self.trust = trust
@@ -112,7 +119,8 @@ class Tellings:
 
     A way, or a place to arrive at, is as likely as all of them together make it: each
     is right with the probability that one trusts it, and else says nothing. So an error
-    of one is outvoted by the others.
+    of one is outvoted by the others. Readings of one telling do not bear each other out,
+    since one was said: any of them may be the right one.
     """
 
     floor: FloorMap
@@ -125,11 +133,20 @@ class Tellings:
     total: float = 0.0
 
     def add(
-        self, plan: RoutePlan, trust: float = TRUST, *, breaks_off: bool = False
+        self,
+        plan: RoutePlan,
+        trust: float = TRUST,
+        *,
+        breaks_off: bool = False,
+        told: int | None = None,
     ) -> Telling:
-        """Take one more telling; where it begins is still to be said."""
+        """Take one more; where it begins is still to be said.
+
+        It is a reading of the telling with a number, or, without, a telling by itself.
+        """
         number = len(self.all)
-        telling = Telling(plan, self.floor, self.model, number, trust, breaks_off)
+        told = -1 - number if told is None else told
+        telling = Telling(plan, self.floor, self.model, number, trust, breaks_off, told)
         self.all.append(telling)
         return telling
 
@@ -165,21 +182,31 @@ class Tellings:
         choices = len(ways) + max(sum(len(each.endings) > 0 for each in self.all), 1)
         self.frontiers, self.endings = {}, []
         # One that explains nothing any more makes all alike likely.
-        speaking = [each for each in self.all if each.total]
-        for telling in speaking:
-            others = [each for each in speaking if each is not telling]
+        speaking: dict[int, list[Telling]] = {}
+        for each in self.all:
+            if each.total:
+                speaking.setdefault(each.told, []).append(each)
+        for telling in chain.from_iterable(speaking.values()):
+            others = [
+                readings for told, readings in speaking.items() if told != telling.told
+            ]
+            alternatives = len(speaking[telling.told])
 
             def agreed(
-                share: Callable[[Telling], float], others: Iterable[Telling] = others
+                share: Callable[[Telling], float],
+                others: Sequence[Sequence[Telling]] = others,
             ) -> float:
                 return math.prod(
-                    each.is_right * share(each) + (1 - each.says) / choices
-                    for each in others
+                    fmean(
+                        each.is_right * share(each) + (1 - each.says) / choices
+                        for each in readings
+                    )
+                    for readings in others
                 )
 
             for key, frontier in telling.belief.frontiers.items():
                 factor = agreed(lambda each, key=key: each.share_of_way(key))
-                factor /= telling.total
+                factor /= telling.total * alternatives
                 joined = self.frontiers.setdefault(key, Frontier(*key))
                 joined.alignments += [
                     (segment, weights * factor)
@@ -189,5 +216,5 @@ class Tellings:
             for ending in telling.endings:
                 place = ending.place
                 factor = agreed(lambda each, place=place: each.share_at(place))
-                factor /= telling.total
+                factor /= telling.total * alternatives
                 self.endings.append(replace(ending, weights=ending.weights * factor))
