@@ -120,7 +120,7 @@ class Tellings:
     A way, or a place to arrive at, is as likely as all of them together make it: each
     is right with the probability that one trusts it, and else says nothing. So an error
     of one is outvoted by the others. Readings of one telling do not bear each other out,
-    since one was said: any of them may be the right one.
+    since one was said: each may be the right one, as likely as it fits.
     """
 
     floor: FloorMap
@@ -190,7 +190,8 @@ class Tellings:
             others = [
                 readings for told, readings in speaking.items() if told != telling.told
             ]
-            alternatives = len(speaking[telling.told])
+            readings = speaking[telling.told]
+            is_it = telling.is_right / sum(each.is_right for each in readings)
 
             def agreed(
                 share: Callable[[Telling], float],
@@ -206,7 +207,7 @@ class Tellings:
 
             for key, frontier in telling.belief.frontiers.items():
                 factor = agreed(lambda each, key=key: each.share_of_way(key))
-                factor /= telling.total * alternatives
+                factor *= is_it / telling.total
                 joined = self.frontiers.setdefault(key, Frontier(*key))
                 joined.alignments += [
                     (segment, weights * factor)
@@ -216,5 +217,5 @@ class Tellings:
             for ending in telling.endings:
                 place = ending.place
                 factor = agreed(lambda each, place=place: each.share_at(place))
-                factor /= telling.total * alternatives
+                factor *= is_it / telling.total
                 self.endings.append(replace(ending, weights=ending.weights * factor))
