@@ -22,11 +22,12 @@ def shares_of(*said: tuple[Way, int]) -> dict[tuple[int, int], float]:
     By turns that are told, and which telling each is a reading of.
     """
     floor, model = FloorMap(), Likelihoods()
-    floor.crossings[0] = Crossing(0, (0.0, 0.0), [0.0, math.pi / 2, -math.pi / 2])
+    exits = [0.0, math.pi / 2, math.pi, -math.pi / 2]
+    floor.crossings[1] = Crossing(1, (0.0, 0.0), exits)
     tellings = Tellings(floor, model)
     for way, told in said:
         telling = tellings.add(plan_to(way), told=told)
-        telling.starts = starts_ahead(model, floor, 0)
+        telling.starts = starts_ahead(model, floor, 1)
     tellings.update()
     return {key: f.mass / tellings.total for key, f in tellings.frontiers.items()}
 
