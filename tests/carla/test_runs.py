@@ -1,5 +1,6 @@
 """Runs of the benchmark on a stand-in for CARLA."""
 
+import json
 import os
 import signal
 import subprocess
@@ -15,6 +16,7 @@ from memorymaze.evaluation.named_settings import with_choices
 from memorymaze.evaluation.plan import RunPlan, plan_run
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.settings import AgentSettings, RunSettings
+from memorymaze.instructions import Corpus, load_corpus
 from memorymaze.language.model_settings import ModelSettings
 
 ROBOT = str(Path(__file__).with_name("stand_in_robot.py"))
@@ -70,6 +72,20 @@ def test_a_run_that_is_killed_is_resumed(tiny_files: list[str], tmp_path: Path) 
     assert (out / "episodes.jsonl").read_bytes().count(b"\n") == 12
 
 
+def texts_with_a_program(folder: Path) -> Corpus:
+    """Return the shipped texts that the recorded programs were written for."""
+    lines = PROGRAMS.read_text(encoding="utf-8").splitlines()
+    wanted = {json.loads(line)["instruction_id"] for line in lines}
+    told = [
+        line
+        for file in load_corpus().files
+        for line in file.read_text(encoding="utf-8").splitlines()
+        if json.loads(line)["id"] in wanted
+    ]
+    (folder / "texts.jsonl").write_text("\n".join(told), encoding="utf-8")
+    return load_corpus([folder / "texts.jsonl"])
+
+
 @pytest.mark.proof
 @pytest.mark.parametrize(
     ("agent", "replay"), [("guide", None), ("code_generation", PROGRAMS)]
@@ -79,7 +95,9 @@ def test_of_24_shipped_texts_at_least_22_end_as_in_the_simulation(
 ) -> None:
     model = ModelSettings(replay=None if replay is None else str(replay))
     plan = plan_run(
-        AgentSettings(agent, language_model=model), None, RunSettings(limit=24)
+        AgentSettings(agent, language_model=model),
+        texts_with_a_program(tmp_path),
+        RunSettings(limit=24),
     )
     here = outcomes(run_plan(plan, tmp_path / "here"))
     there = outcomes(run_plan(on_carla(plan), tmp_path / "there"))

@@ -61,7 +61,7 @@ def test_every_error_is_smaller_in_the_light_than_in_the_heavy():
     ("text", "named"),
     [
         ("huge", "light, heavy"),
-        ("hevy", "did you mean 'heavy'"),
+        ("heavyy", "did you mean 'heavy'"),
         ("", "light, heavy"),
         ("lidar_noise=1", "lidar_range_noise, lidar_drop_out, odometry_scale_error"),
         ("lidar_drop_out=1.5", "lidar_drop_out: expected a number from 0 to 1"),
