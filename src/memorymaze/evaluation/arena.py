@@ -49,8 +49,9 @@ class Arena:
 
         Without eyes, detector and reader of signs know the truth; without looks, things look
         like models where they were converted; without a model, people one can ask find
-        their words elsewhere; without noise, LiDAR and odometry are exact. Robots are made by `make_robot`, with what `robot` tells it,
-        and have the simulated body or those that `body` makes.
+        their words elsewhere; without noise, LiDAR and odometry are exact. Robots are made
+        by `make_robot`, with what `robot` tells it, and have the simulated body or those that
+        `body` makes.
         """
         self.site = site
         self.obstacles = obstacles

@@ -32,7 +32,8 @@ def run_plan(
     process dies is tried once more, and then recorded as `crash`.
 
     Each result is on the disk before the next is counted. Workers are so many processes on
-    this machine, 0 for one per core (one alone for a robot with a body of its own), or others, such as those of a cluster. An episode that
+    this machine, 0 for one per core (one alone for a robot with a body of its own), or
+    others, such as those of a cluster. An episode that
     takes more real seconds than the run's `wall_limit` is given up as `crash`.
     `SpendingLimitReached` and `KeyboardInterrupt` are passed on when all workers have ended.
     """

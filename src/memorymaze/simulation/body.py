@@ -83,6 +83,8 @@ class BodyInSite(ABC):
         self._samples = [TimedPose(0.0, *start)]
         self._sampling_period = settings.sampling_period
         self._sample_due = settings.sampling_period
+        self._look: tuple[tuple[float, Pose], RayCamera] | None = None
+        """When and where the camera looked last, and what it sees there."""
 
     @property
     @abstractmethod
@@ -121,8 +123,8 @@ class BodyInSite(ABC):
         """Whether it touches something in its way."""
 
     @abstractmethod
-    def camera_view(self) -> CameraView:
-        """Return what the camera truly sees."""
+    def look(self) -> RayCamera:
+        """Look at the plan from where it is."""
 
     @abstractmethod
     def view_from(self, pose: Pose) -> CameraView:
@@ -131,6 +133,13 @@ class BodyInSite(ABC):
     @abstractmethod
     def lidar_turning_points(self, start: Pose) -> LidarTurningPoints:
         """Return turning points that its scans and its odometry tell of."""
+
+    def camera_view(self) -> CameraView:
+        """Return what the camera truly sees: one look a moment, often asked about."""
+        moment = (self.time, self.pose)
+        if self._look is None or self._look[0] != moment:
+            self._look = (moment, self.look())
+        return self._look[1]
 
     def sample(self) -> None:
         """Add the present pose to the trajectory."""
@@ -186,8 +195,6 @@ class SimulatedBody(BodyInSite):
         self._camera_maker = cameras
         self._cameras: RobotCameras | None = None
         self._touches: dict[int, float] = {}
-        self._look: tuple[tuple[float, Pose], RayCamera] | None = None
-        """When and where the camera looked last, and what it sees there."""
 
     @property
     def time(self) -> float:
@@ -244,14 +251,10 @@ class SimulatedBody(BodyInSite):
                 return True
         return False
 
-    def camera_view(self) -> CameraView:
-        """Return what the camera truly sees."""
-        moment = (self.time, self.pose)
-        if self._look is None or self._look[0] != moment:
-            self.base.update_view()
-            camera = RayCamera(self.scene, self.base.data, self.camera_picture)
-            self._look = (moment, camera)
-        return self._look[1]
+    def look(self) -> RayCamera:
+        """See `BodyInSite.look`."""
+        self.base.update_view()
+        return RayCamera(self.scene, self.base.data, self.camera_picture)
 
     def view_from(self, pose: Pose) -> CameraView:
         """See `BodyInSite.view_from`."""

@@ -15,7 +15,7 @@ from memorymaze.simulation.body import BodyInSite
 from memorymaze.simulation.cameras import RobotCameras
 from memorymaze.simulation.physics_engine import mujoco
 from memorymaze.simulation.scene import Scene
-from memorymaze.simulation.senses.visibility import camera_elsewhere
+from memorymaze.simulation.senses.visibility import RayCamera, camera_elsewhere
 from memorymaze.simulation.settings import TIMESTEP, SimulationSettings
 from memorymaze.steering.turning_points import LidarTurningPoints
 
@@ -125,8 +125,8 @@ class OwnBody(BodyInSite):
             return False
         return math.dist(self._told[0][1][:2], self.pose[:2]) < MOVED * told
 
-    def camera_view(self) -> CameraView:
-        """Return what of the plan can be seen from where it is, and its own picture."""
+    def look(self) -> RayCamera:
+        """See `BodyInSite.look`; the picture is its own."""
         return camera_elsewhere(self.scene, self._data, self.pose, self.camera_picture)
 
     def view_from(self, pose: Pose) -> CameraView:
