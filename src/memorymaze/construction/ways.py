@@ -197,14 +197,7 @@ class Ways:
                     place[0] + (reach + 0.5) * math.cos(leg.heading),
                     place[1] + (reach + 0.5) * math.sin(leg.heading),
                 )
-                furnisher.hang(
-                    "hanging sign",
-                    hung,
-                    leg.heading,
-                    (1.8, 0.08, 0.4),
-                    "dark blue",
-                    text,
-                )
+                furnisher.hang("hanging sign", hung, leg.heading, text)
 
     def _pointing(self, node: int, came_by: SkeletonLeg) -> str | None:
         """Return what a sign says to who comes by a leg."""

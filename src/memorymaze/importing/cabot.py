@@ -32,7 +32,7 @@ from memorymaze.importing.imported import (
 from memorymaze.importing.placing import place_found
 from memorymaze.importing.ways import plan_floor
 from memorymaze.input_files import parse_json, read_text
-from memorymaze.pictures.looks.catalogue import archetype_of
+from memorymaze.sites.things import kind_of_thing
 from memorymaze.wording import counted
 
 ROAD_WIDTH = 1.5
@@ -323,7 +323,7 @@ def _things(
         name = point.feature.text(*NAMES)
         if point.category in (DOOR, CAB):
             continue
-        if name and archetype_of(name.lower()) is not None:
+        if name and kind_of_thing(name.lower()) is not None:
             yield FoundThing(point.feature.id, point.place, name.lower())
         elif point.category == "_nav_obstacle_":
             notes.guess(
