@@ -15,6 +15,7 @@ from shapely import LineString, Point
 
 from memorymaze.errors import ImportFileError
 from memorymaze.geometry.points import XY
+from memorymaze.geometry.pose import Pose
 from memorymaze.importing.found import FoundDoor, FoundThing
 from memorymaze.importing.geojson_features import (
     SourceFeature,
@@ -81,11 +82,7 @@ class _PointOfInterest:
     def moved(self, ahead: float, left: float) -> XY:
         """Return a place seen from this one, whose heading is clockwise from north."""
         heading = math.radians(90 - (self.feature.number("hulop_heading") or 0.0))
-        cosine, sine = math.cos(heading), math.sin(heading)
-        return (
-            self.place[0] + ahead * cosine - left * sine,
-            self.place[1] + ahead * sine + left * cosine,
-        )
+        return Pose(*self.place, heading).at(ahead, left)
 
 
 def import_cabot(path: Path, floor: str | None = None) -> ImportedSite:

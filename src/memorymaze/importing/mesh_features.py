@@ -8,9 +8,9 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from shapely import LineString, MultiPoint, Polygon
 
+from memorymaze.geometry.pose import moved
 from memorymaze.importing.imported import ImportNotes
 from memorymaze.importing.obstacles import box_around
-from memorymaze.importing.shapes import moved
 from memorymaze.pictures.building_mesh import MeshPiece
 from memorymaze.sites.floor_rules import DOOR_OFF_WALL, THING_OFF_FLOOR
 from memorymaze.sites.plan_writing import Feature, degrees, line_feature, point_feature
