@@ -1,7 +1,7 @@
 """A site made ready for episodes: its scene, its grid, and what scoring needs."""
 
 from collections.abc import Callable, Mapping
-from functools import cached_property, partial
+from functools import cached_property
 
 import numpy as np
 
@@ -17,7 +17,7 @@ from memorymaze.language.building import build_language_model
 from memorymaze.language.model import LanguageModel
 from memorymaze.passers_by import FloorKnowledge
 from memorymaze.perception.eyes import Eyes
-from memorymaze.pictures import Looks, robot_cameras
+from memorymaze.pictures import Looks
 from memorymaze.pictures.furniture.models import check_looks
 from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.robot import SimulatedRobot
@@ -111,7 +111,7 @@ class Arena:
             keep_free=episode.reference_path,
             lidar=None if self._noise is None else self._noise.lidar,
             odometry=None if self._noise is None else self._noise.odometry,
-            cameras=partial(robot_cameras, looks=self.looks),
+            looks=self.looks,
             body=body,
         )
 

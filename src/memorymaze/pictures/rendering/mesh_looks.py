@@ -16,8 +16,8 @@ from memorymaze.pictures.building_mesh import MeshPiece, face_normals, levels, r
 from memorymaze.pictures.looks.assembly import MeshPart
 from memorymaze.pictures.looks.materials import OPAQUE_FROM, Material
 from memorymaze.pictures.rendering.placed_things import PlacedMeshes, PlacedThing
-from memorymaze.simulation.scene import SceneObject
 from memorymaze.sites.records import Door, Site
+from memorymaze.sites.scene_objects import SceneObject
 
 LARGEST_TEXTURE = 2048
 """Pixels along a side."""

@@ -13,9 +13,9 @@ from memorymaze.pictures.looks.assembly import MeshPart
 from memorymaze.pictures.looks.catalogue import model_for_landmark
 from memorymaze.pictures.looks.doors import model_for_door
 from memorymaze.pictures.rendering.meshes import MeshBuilder
-from memorymaze.simulation.scene import SceneObject
-from memorymaze.simulation.solids import door_solid, landmark_solid
 from memorymaze.sites.records import Landmark, Site
+from memorymaze.sites.scene_objects import SceneObject
+from memorymaze.sites.solids import door_solid, landmark_solid
 
 SHADOW_HEIGHT = 0.006
 SHADOW_MARGIN = 0.16

@@ -43,8 +43,8 @@ from memorymaze.pictures.rendering.meshes import (
     wall_uv,
 )
 from memorymaze.pictures.rendering.visibility import hiding_segments
-from memorymaze.simulation.scene import rings_with_things_above
 from memorymaze.sites.records import Site
+from memorymaze.sites.solids import rings_with_things_above
 
 SKIRTING_DEPTH = 0.01
 LONG_WALL = 5.0

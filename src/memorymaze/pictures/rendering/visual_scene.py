@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from memorymaze.geometry.pose import Pose
+from memorymaze.physics_engine import mujoco
 from memorymaze.pictures.furniture.models import check_looks
 from memorymaze.pictures.kinds_of_looks import Looks
 from memorymaze.pictures.looks.catalogue import model_of
@@ -24,11 +25,9 @@ from memorymaze.pictures.rendering.placed_things import (
 from memorymaze.pictures.rendering.sky import FACES, sky_dome, sky_faces
 from memorymaze.pictures.rendering.structure import Structure, structure_of
 from memorymaze.pictures.rendering.visibility import Sightlines
-from memorymaze.simulation.obstacles.settings import Movable
-from memorymaze.simulation.physics_engine import mujoco
-from memorymaze.simulation.scene import SceneObject
-from memorymaze.simulation.solids import landmark_solid
 from memorymaze.sites.records import Site
+from memorymaze.sites.scene_objects import Movable, SceneObject
+from memorymaze.sites.solids import landmark_solid
 
 SHOWN_GROUP, HIDDEN_GROUP = 1, 5
 
