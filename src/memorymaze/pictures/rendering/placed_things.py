@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Literal
 
 from shapely import Point, prepare
 
@@ -12,8 +12,8 @@ from memorymaze.pictures.looks import surfaces
 from memorymaze.pictures.looks.assembly import MeshPart
 from memorymaze.pictures.looks.catalogue import model_for_landmark
 from memorymaze.pictures.looks.doors import model_for_door
-from memorymaze.pictures.rendering.meshes import MeshBuilder
-from memorymaze.sites.records import Landmark, Site
+from memorymaze.pictures.rendering.meshes import MeshBuilder, MeshKind
+from memorymaze.sites.records import Site
 from memorymaze.sites.scene_objects import SceneObject
 from memorymaze.sites.solids import door_solid, landmark_solid
 
@@ -34,16 +34,26 @@ class PlacedMeshes:
     heading: float = 0.0
 
 
-class PlacedThing(NamedTuple):
-    """A door or a landmark where it is."""
+@dataclass(frozen=True, slots=True, eq=False)
+class BuildingMesh:
+    """A piece of a building, small enough to be left out of pictures unseen."""
 
-    object: SceneObject
-    meshes: PlacedMeshes
-    radius: float
+    owner: str
+    """Id of the feature of the plan that it is or belongs to; of a piece of a building's own
+    mesh the name that it has there."""
+    kind: MeshKind | Literal["door", "landmark"]
+    placed: PlacedMeshes
+    centre: tuple[float, float]
     """Of its circle on the plan, metres."""
+    radius: float
+    """Metres."""
+    thing: SceneObject | None = None
+    """What it is, of a door or a landmark."""
+    shows_sky: bool = False
+    """Whether one may see the sky through it or past it."""
 
 
-def placed_things(site: Site, looks: Looks) -> Iterator[PlacedThing]:
+def placed_things(site: Site, looks: Looks) -> Iterator[BuildingMesh]:
     """Yield all doors, then all landmarks, as the plan orders them."""
     floor = site.walkable_floor
     prepare(floor)
@@ -57,7 +67,8 @@ def placed_things(site: Site, looks: Looks) -> Iterator[PlacedThing]:
         placed = PlacedMeshes(model_for_door(door).parts, x, y, 0.0, heading)
         # An open leaf swings as far as the door is wide.
         reach = door.line.length + 0.3
-        yield PlacedThing(SceneObject("door", door), placed, reach)
+        thing = SceneObject("door", door)
+        yield BuildingMesh(door.id, "door", placed, (x, y), reach, thing)
     for landmark in site.landmarks:
         solid = landmark_solid(landmark, site)
         x, y, z = solid.position
@@ -69,17 +80,20 @@ def placed_things(site: Site, looks: Looks) -> Iterator[PlacedThing]:
             solid.heading,
         )
         radius = math.hypot(solid.half_size[0], solid.half_size[1])
-        yield PlacedThing(SceneObject("landmark", landmark), placed, radius)
+        thing = SceneObject("landmark", landmark)
+        yield BuildingMesh(landmark.id, "landmark", placed, (x, y), radius, thing)
 
 
-def shadow_under(landmark: Landmark, site: Site) -> PlacedMeshes | None:
-    """Return the shade on the floor under a thing; None for what hangs high."""
-    solid = landmark_solid(landmark, site)
-    x, y, z = solid.position
-    hx, hy, hz = solid.half_size
-    if landmark.mount != "floor" and z - hz > LOW:
-        return None
-    return PlacedMeshes((shadow(hx, hy),), x, y, SHADOW_HEIGHT, solid.heading)
+def shadows(site: Site) -> Iterator[BuildingMesh]:
+    """Yield the shades on the floor, which what hangs high has none of."""
+    for landmark in site.landmarks:
+        solid = landmark_solid(landmark, site)
+        x, y, z = solid.position
+        hx, hy, hz = solid.half_size
+        if landmark.mount == "floor" or z - hz <= LOW:
+            placed = PlacedMeshes((shadow(hx, hy),), x, y, SHADOW_HEIGHT, solid.heading)
+            radius = math.hypot(hx + SHADOW_MARGIN, hy + SHADOW_MARGIN)
+            yield BuildingMesh(landmark.id, "decal", placed, (x, y), radius)
 
 
 def shadow(half_x: float, half_y: float) -> MeshPart:
