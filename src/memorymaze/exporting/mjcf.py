@@ -15,8 +15,8 @@ from memorymaze.exporting.named_meshes import (
     site_file_stem,
 )
 from memorymaze.physics_engine import about_z, mujoco
+from memorymaze.pictures.rendering.meshes import PlacedMeshes
 from memorymaze.pictures.rendering.mujoco_model import SpecAssembler
-from memorymaze.pictures.rendering.placed_things import PlacedMeshes
 from memorymaze.pictures.rendering.visual_scene import add_lights
 from memorymaze.sites.records import Site
 from memorymaze.sites.solids import Solid, landmark_solid, wall_solids

@@ -13,7 +13,7 @@ from shapely import Polygon
 from memorymaze.pictures.looks.assembly import MeshPart
 from memorymaze.pictures.looks.materials import Material
 from memorymaze.pictures.rendering.building import building
-from memorymaze.pictures.rendering.placed_things import BuildingMesh, PlacedMeshes
+from memorymaze.pictures.rendering.meshes import BuildingMesh, PlacedMeshes
 from memorymaze.sites.records import Site
 
 Attributes = Mapping[str, object]

@@ -14,8 +14,12 @@ from memorymaze.errors import SettingsError
 from memorymaze.pictures.building_mesh import MeshPiece, face_normals, levels, read_mesh
 from memorymaze.pictures.looks.assembly import MeshPart
 from memorymaze.pictures.looks.materials import OPAQUE_FROM, Material
-from memorymaze.pictures.rendering.meshes import MeshKind
-from memorymaze.pictures.rendering.placed_things import BuildingMesh, PlacedMeshes
+from memorymaze.pictures.rendering.meshes import (
+    BuildingMesh,
+    Circle,
+    MeshKind,
+    PlacedMeshes,
+)
 from memorymaze.sites.records import Door, Site
 from memorymaze.sites.scene_objects import SceneObject
 
@@ -52,16 +56,14 @@ def mesh_building(site: Site) -> list[BuildingMesh]:
     things: list[BuildingMesh] = []
     for record in (*site.doors, *site.landmarks):
         kind = "door" if isinstance(record, Door) else "landmark"
-        placed, radius = _placed(named.pop(record.id, ()), floor, materials)
-        centre, thing = (placed.x, placed.y), SceneObject(kind, record)
-        things.append(BuildingMesh(record.id, kind, placed, centre, radius, thing))
+        placed, circle = _placed(named.pop(record.id, ()), floor, materials)
+        thing = SceneObject(kind, record)
+        things.append(BuildingMesh(record.id, kind, placed, circle, thing))
     rest: list[BuildingMesh] = []
     for piece in (piece for group in named.values() for piece in group):
-        placed, radius = _placed([piece], floor, materials)
-        kind, centre = _part_of_building(piece, floor), (placed.x, placed.y)
-        rest.append(
-            BuildingMesh(piece.name, kind, placed, centre, radius, shows_sky=True)
-        )
+        placed, circle = _placed([piece], floor, materials)
+        kind = _part_of_building(piece, floor)
+        rest.append(BuildingMesh(piece.name, kind, placed, circle, shows_sky=True))
     return [*rest, *things]
 
 
@@ -75,17 +77,17 @@ def _part_of_building(piece: MeshPiece, floor: float) -> MeshKind:
 
 def _placed(
     pieces: Sequence[MeshPiece], floor: float, materials: dict[int, Material]
-) -> tuple[PlacedMeshes, float]:
-    """Return pieces around their middle on the plan, and the radius of their circle."""
+) -> tuple[PlacedMeshes, Circle]:
+    """Return pieces around their middle on the plan, and their circle."""
     if not pieces:
-        return PlacedMeshes(()), 0.0
+        return PlacedMeshes(()), (0.0, 0.0, 0.0)
     corners = np.concatenate([piece.vertices[:, :2] for piece in pieces])
     low, high = corners.min(axis=0), corners.max(axis=0)
     x, y = ((low + high) / 2).tolist()
     parts = [
         _part(piece, piece.vertices - (x, y, floor), materials) for piece in pieces
     ]
-    return PlacedMeshes(parts, x, y), math.dist(low, high) / 2 + 0.1
+    return PlacedMeshes(parts, x, y), (x, y, math.dist(low, high) / 2 + 0.1)
 
 
 def _part(

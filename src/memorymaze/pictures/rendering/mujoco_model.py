@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from memorymaze.physics_engine import about_z, mujoco
 from memorymaze.pictures.looks.assembly import MeshPart
 from memorymaze.pictures.looks.materials import Material
-from memorymaze.pictures.rendering.placed_things import PlacedMeshes
+from memorymaze.pictures.rendering.meshes import PlacedMeshes
 
 PALETTE_EDGE = 64
 """Colours along an edge of the palette."""

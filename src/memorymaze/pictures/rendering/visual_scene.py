@@ -13,15 +13,14 @@ from memorymaze.physics_engine import mujoco
 from memorymaze.pictures.furniture.models import check_looks
 from memorymaze.pictures.kinds_of_looks import Looks
 from memorymaze.pictures.looks.catalogue import model_of
-from memorymaze.pictures.rendering.building import building
-from memorymaze.pictures.rendering.mujoco_model import SpecAssembler
-from memorymaze.pictures.rendering.placed_things import (
+from memorymaze.pictures.rendering.building import (
     SHADOW_HEIGHT,
     SHADOW_MARGIN,
-    BuildingMesh,
-    PlacedMeshes,
+    building,
     shadow,
 )
+from memorymaze.pictures.rendering.meshes import Circle, PlacedMeshes
+from memorymaze.pictures.rendering.mujoco_model import SpecAssembler
 from memorymaze.pictures.rendering.sky import FACES, sky_dome, sky_faces
 from memorymaze.pictures.rendering.visibility import Sightlines
 from memorymaze.sites.records import Site
@@ -127,7 +126,7 @@ def build_visual_scene(
     for transparent in (False, True):
         for mesh, owner in solid:
             first = builder.assembler.geom_count
-            builder.add_mesh(mesh, owner, transparent=transparent)
+            builder.add(mesh.placed, owner, mesh.circle, transparent=transparent)
             if mesh.shows_sky:
                 outlets += range(first, builder.assembler.geom_count)
     movable_geoms = _add_movables(builder, movables, len(things) + WALL + 1, looks)
@@ -136,16 +135,17 @@ def build_visual_scene(
     ground = spec.worldbody.add_body(name="decals")
     for mesh in made.meshes:
         if mesh.kind == "decal":
-            builder.add_mesh(mesh, FLOOR, body=ground)
+            builder.add(mesh.placed, FLOOR, mesh.circle, body=ground)
     for each, geoms in zip(movables, movable_geoms, strict=True):
         geoms.append(builder.assembler.geom_count)
         _add_shadow_of(builder, each)
     first_sky = builder.assembler.geom_count
     dome = spec.worldbody.add_body(name="sky")
-    builder.add(PlacedMeshes(sky_dome()), FLOOR, NOWHERE, 0.0, body=dome)
+    builder.add(PlacedMeshes(sky_dome()), FLOOR, (*NOWHERE, 0.0), body=dome)
     builder.assembler.finish()
     model = spec.compile()
     data = mujoco.MjData(model)
+    circles = np.array(builder.circles).reshape(-1, 3)
     mujoco.mj_kinematics(model, data)
     scene = VisualScene(
         site,
@@ -159,8 +159,8 @@ def build_visual_scene(
             *(SceneObject("person" if m.is_person else "thing", m) for m in movables),
         ),
         np.array(builder.owners, dtype=np.int32),
-        np.array(builder.centres).reshape(-1, 2),
-        np.array(builder.radii),
+        circles[:, :2].copy(),
+        circles[:, 2].copy(),
         first_decal,
         first_sky,
         _extent(model, data, first_sky),
@@ -184,32 +184,13 @@ class _Builder:
     def __init__(self, assembler: SpecAssembler) -> None:
         self.assembler = assembler
         self.owners: list[int] = []
-        self.centres: list[tuple[float, float]] = []
-        self.radii: list[float] = []
-
-    def add_mesh(
-        self,
-        mesh: BuildingMesh,
-        owner: int,
-        *,
-        body: mujoco.MjsBody | None = None,
-        transparent: bool | None = None,
-    ) -> None:
-        self.add(
-            mesh.placed,
-            owner,
-            mesh.centre,
-            mesh.radius,
-            body=body,
-            transparent=transparent,
-        )
+        self.circles: list[Circle] = []
 
     def add(
         self,
         placed: PlacedMeshes,
         owner: int,
-        centre: tuple[float, float],
-        radius: float,
+        circle: Circle,
         *,
         body: mujoco.MjsBody | None = None,
         transparent: bool | None = None,
@@ -218,8 +199,7 @@ class _Builder:
             placed, SHOWN_GROUP, body=body, transparent=transparent
         )
         self.owners += [owner] * count
-        self.centres += [centre] * count
-        self.radii += [radius] * count
+        self.circles += [circle] * count
 
 
 def _add_movables(
@@ -242,8 +222,7 @@ def _add_movables(
         builder.add(
             PlacedMeshes(model.parts),
             first_owner + number,
-            NOWHERE,
-            math.hypot(each.size[0], each.size[1]) / 2,
+            (*NOWHERE, math.hypot(each.size[0], each.size[1]) / 2),
             body=body,
         )
         geoms.append(list(range(before, builder.assembler.geom_count)))
@@ -256,7 +235,7 @@ def _add_shadow_of(builder: _Builder, movable: Movable) -> None:
     body = builder.assembler.spec.worldbody.add_body(name=name, mocap=True)
     radius = math.hypot(half_x, half_y) + SHADOW_MARGIN
     placed = PlacedMeshes((shadow(half_x, half_y),))
-    builder.add(placed, FLOOR, NOWHERE, radius, body=body)
+    builder.add(placed, FLOOR, (*NOWHERE, radius), body=body)
 
 
 def _shadow_of(name: str) -> str:
