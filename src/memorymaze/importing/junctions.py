@@ -12,12 +12,12 @@ from shapely.geometry.base import BaseGeometry
 from shapely.ops import nearest_points
 
 from memorymaze.geometry.points import XY
-from memorymaze.geometry.pose import heading_to, turn_between
+from memorymaze.geometry.pose import heading_to, moved, turn_between
 from memorymaze.importing.imported import (
     ImportNotes,
 )
 from memorymaze.importing.line_graph import BEND, LineLeg, nodes_of
-from memorymaze.importing.shapes import convex_region, moved, strip
+from memorymaze.importing.shapes import convex_region, strip
 from memorymaze.sites.floor_rules import SAME_EXIT, TOUCH
 
 SMALLEST_POINT = 0.5

@@ -1,18 +1,12 @@
 """A mesh of one floor: level faces to floor, what stands on it to walls, names to things."""
 
-from collections.abc import Sequence
-from dataclasses import replace
 from pathlib import Path
-
-import shapely
-from shapely import LineString, MultiPoint
 
 from memorymaze.errors import ImportFileError
 from memorymaze.extras import require_extra
 from memorymaze.importing.centre_lines import centre_lines
 from memorymaze.importing.imported import (
     CEILING,
-    CentreLine,
     ImportedSite,
     ImportNotes,
     site_plan,
@@ -46,13 +40,7 @@ def import_mesh(path: Path) -> ImportedSite:
         raise ImportFileError(f"{path}: {error}") from None
     notes = ImportNotes(guessed=guessed)
     floor, standing = without_obstacles(found.polygon)
-    named = [
-        (str(piece.extras["name"]), MultiPoint(piece.vertices[:, :2]).convex_hull)
-        for piece in kinds["building"]
-        if piece.extras.get("kind") == "corridor" and "name" in piece.extras
-    ]
-    lines = [_named(line, named) for line in centre_lines(floor)]
-    planned = plan_floor(lines, notes, floor)
+    planned = plan_floor(centre_lines(floor), notes, floor)
     features = features_on(planned.polygon, found.height, kinds, notes)
     boxes = list(
         box_features([each for each in standing if each.area >= BIT], planned.polygon)
@@ -70,26 +58,12 @@ def import_mesh(path: Path) -> ImportedSite:
             f"{found.left_out:.0f} m² of other floor, behind walls or doors"
         )
     notes.missing.append("routes, and all names that the file's nodes do not have")
-    said = next(
-        (piece.extras for piece in pieces if "ceiling_height_m" in piece.extras), {}
-    )
     plan = site_plan(
         path,
-        said.get("title"),
-        said.get("floor", "ground floor"),
+        None,
+        "ground floor",
         None,
         [*planned.features, *features, *boxes],
         round(found.ceiling or CEILING, 2),
     )
-    return notes.imported({**plan, "anchor": said.get("anchor")})
-
-
-def _named(
-    line: CentreLine, named: Sequence[tuple[str, shapely.Geometry]]
-) -> CentreLine:
-    """Return a line with the name of the corridor that most of it lies in."""
-    way = LineString(line.points)
-    for name, corridor in named:
-        if way.intersection(corridor).length > way.length / 2:
-            return replace(line, name=name)
-    return line
+    return notes.imported(plan)

@@ -13,7 +13,7 @@ import shapely
 from shapely import LineString, MultiPolygon, Point, Polygon
 
 from memorymaze.errors import ImportFileError
-from memorymaze.geometry.pose import heading_to
+from memorymaze.geometry.pose import heading_to, moved
 from memorymaze.importing.corridors import PlannedCorridor, corridors_along
 from memorymaze.importing.imported import CentreLine, ImportNotes
 from memorymaze.importing.junctions import (
@@ -23,7 +23,7 @@ from memorymaze.importing.junctions import (
     ways_out,
 )
 from memorymaze.importing.line_graph import LineLeg, legs_of, nodes_of
-from memorymaze.importing.shapes import moved, polygons, strip
+from memorymaze.importing.shapes import polygons, strip
 from memorymaze.sites.plan_writing import Feature, degrees, polygon_feature
 from memorymaze.sites.records import floor_pieces
 from memorymaze.wording import counted

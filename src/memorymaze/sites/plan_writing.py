@@ -13,7 +13,9 @@ def plan_bytes(header: dict[str, object], features: Sequence[Feature]) -> bytes:
     """Return a plan as a GeoJSON file, one feature a line."""
     members = json.dumps({"type": "FeatureCollection", **header}, ensure_ascii=False)
     lines = ",\n".join(json.dumps(each, ensure_ascii=False) for each in features)
-    return f'{members[:-1]}, "features": [\n{lines}\n]}}\n'.encode()
+    text = f'{members[:-1]}, "features": [\n{lines}\n]}}\n'
+    # JSON can say halves of characters, UTF-8 cannot.
+    return text.encode(errors="backslashreplace")
 
 
 def feature(
