@@ -1,4 +1,4 @@
-"""From a route to the file of its walkthrough."""
+"""Walkthroughs: a slow drive along a route, and the file of its film."""
 
 import math
 from collections.abc import Callable, Iterator

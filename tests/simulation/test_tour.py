@@ -5,8 +5,8 @@ import pytest
 
 from memorymaze.errors import MemoryMazeError
 from memorymaze.geometry.pose import turn_between
-from memorymaze.pictures.films import Tour, tour_of
 from memorymaze.simulation.scene import Scene, build_scene
+from memorymaze.simulation.walkthrough import Tour, tour_of
 from memorymaze.sites.records import Site
 
 
