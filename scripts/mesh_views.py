@@ -1,6 +1,5 @@
 """The picture of docs/importing.md: a site's own looks above, those of its mesh below."""
 
-import json
 import math
 import tempfile
 from pathlib import Path
@@ -23,7 +22,7 @@ with tempfile.TemporaryDirectory() as folder:
     mesh = Path(folder) / "university_mesh.glb"
     export_site(own, "gltf", mesh)
     plan = mesh.with_suffix(".geojson")
-    plan.write_text(json.dumps(import_mesh(mesh).plan), encoding="utf-8")
+    import_mesh(mesh).site.save(plan)
     rows = []
     for site, looks in ((own, "own"), (load_site(plan), "mesh")):
         scene = build_visual_scene(site, looks=looks)

@@ -2,10 +2,10 @@
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import replace
 
 import numpy as np
-from shapely import MultiLineString, Polygon, STRtree
+from shapely import MultiLineString, Point, Polygon, STRtree
 
 from memorymaze.construction.floor import MadeFloor
 from memorymaze.construction.rooms import MadeRoom
@@ -17,7 +17,7 @@ from memorymaze.construction.vocabulary import (
 )
 from memorymaze.construction.walls import MadeWall
 from memorymaze.geometry.points import XY
-from memorymaze.sites.records import Mount, rectangle
+from memorymaze.sites.records import Landmark
 
 FROM_MIDDLE_LINES = 0.65
 """Metres kept free on both sides of every way."""
@@ -33,26 +33,6 @@ PRINTED = 0.7
 """Share of things with words that have some on them."""
 
 
-@dataclass(frozen=True)
-class MadeThing:
-    """A landmark."""
-
-    category: str
-    place: XY
-    heading: float
-    """Radians; the way its front faces."""
-    size: tuple[float, float, float]
-    mount: Mount
-    obstacle: bool
-    color: str | None = None
-    text: str | None = None
-
-    @property
-    def footprint(self) -> Polygon:
-        """What it covers of the floor."""
-        return rectangle(self.size, *self.place, self.heading)
-
-
 class Furnisher:
     """Puts things where they are in nobody's way."""
 
@@ -64,7 +44,8 @@ class Furnisher:
         rng: np.random.Generator,
     ) -> None:
         """Begin with no things."""
-        self.things: list[MadeThing] = []
+        self.things: list[Landmark] = []
+        self._counts: dict[str, int] = {}
         self._floor = floor
         self._words = words
         self._rng = rng
@@ -72,7 +53,9 @@ class Furnisher:
         self._ways = MultiLineString([
             skeleton.line(node, other) for node, other in skeleton.graph.edges
         ])
-        self._points = STRtree([point.polygon for point in floor.turning_points])
+        self._points = STRtree([
+            point.polygon for point in floor.turning_points.values()
+        ])
         self._behind = STRtree([room.polygon for room in rooms])
         self._standing: list[tuple[Polygon, MadeWall | None]] = []
 
@@ -193,9 +176,8 @@ class Furnisher:
         text: str,
     ) -> None:
         """Hang a sign from the ceiling."""
-        self.things.append(
-            MadeThing(category, place, heading, size, "ceiling", False, color, text)
-        )
+        kind = LandmarkKind(size=size, mount="ceiling", colors=(color,))
+        self._keep(_landmark(category, kind, place, heading, color, text), None)
 
     def _draw(self, program: Program) -> str:
         weights = np.array(list(program.things.values()))
@@ -210,21 +192,12 @@ class Furnisher:
         place: XY,
         heading: float,
         text: str | None,
-    ) -> MadeThing:
+    ) -> Landmark:
         texts = self._words.texts.get(category, kind.texts)
         color = kind.colors[self._rng.integers(len(kind.colors))]
         if text is None and texts and self._rng.random() < PRINTED:
             text = texts[self._rng.integers(len(texts))]
-        return MadeThing(
-            category,
-            place,
-            heading,
-            kind.size,
-            kind.mount,
-            kind.in_the_way,
-            color,
-            text,
-        )
+        return _landmark(category, kind, place, heading, color, text)
 
     def _is_free(self, footprint: Polygon, wall: MadeWall | None) -> bool:
         if footprint.distance(self._ways) < FROM_MIDDLE_LINES:
@@ -236,7 +209,32 @@ class Furnisher:
             for other, at in self._standing
         )
 
-    def _keep(self, thing: MadeThing, wall: MadeWall | None) -> None:
-        self.things.append(thing)
+    def _keep(self, thing: Landmark, wall: MadeWall | None) -> None:
+        stem = thing.category.lower().replace(" ", "_")
+        self._counts[stem] = self._counts.get(stem, 0) + 1
+        self.things.append(replace(thing, id=f"{stem}_{self._counts[stem]}"))
         if thing.obstacle:
             self._standing.append((thing.footprint, wall))
+
+
+def _landmark(
+    category: str,
+    kind: LandmarkKind,
+    place: XY,
+    heading: float,
+    color: str,
+    text: str | None,
+) -> Landmark:
+    """Return a thing that has no id yet."""
+    return Landmark(
+        "",
+        Point(place),
+        category,
+        color,
+        None,
+        text,
+        heading,
+        kind.size,
+        kind.mount,
+        kind.in_the_way,
+    )

@@ -27,7 +27,7 @@ from memorymaze.importing.imported import (
     ImportNotes,
     LocalFrame,
     chosen_floor,
-    site_plan,
+    site_of,
 )
 from memorymaze.importing.placing import place_found
 from memorymaze.importing.ways import plan_floor
@@ -89,7 +89,7 @@ class _PointOfInterest:
 
 
 def import_cabot(path: Path, floor: str | None = None) -> ImportedSite:
-    """Return one floor of CaBot's or HULOP's map data as a plan.
+    """Return one floor of CaBot's or HULOP's map data as a building.
 
     Links become corridors as wide as they say, entrances of facilities and elevators doors,
     points of interest things where their names are those of things.
@@ -140,8 +140,8 @@ def import_cabot(path: Path, floor: str | None = None) -> ImportedSite:
         filter(None, (each.text("hulop_building") for each in features))
     )
     title = max(buildings, key=lambda each: buildings[each], default=None)
-    plan = site_plan(path, title, floors[level], frame, [*planned.features, *placed])
-    return notes.imported(plan)
+    parts = [*planned.parts, *placed]
+    return notes.imported(site_of(path, title, floors[level], frame.anchor, parts))
 
 
 def _nodes(

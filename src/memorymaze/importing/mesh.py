@@ -15,10 +15,12 @@ from memorymaze.importing.imported import (
     CentreLine,
     ImportedSite,
     ImportNotes,
-    site_plan,
+    site_of,
 )
-from memorymaze.importing.obstacles import box_features, without_obstacles
+from memorymaze.importing.obstacles import boxes_on, without_obstacles
 from memorymaze.importing.ways import plan_floor
+from memorymaze.sites.loading import anchor_of
+from memorymaze.sites.reading import understand_plan
 from memorymaze.wording import counted
 
 BIT = 0.02
@@ -28,12 +30,12 @@ DOOR_DEPTH = 0.02
 
 
 def import_mesh(path: Path) -> ImportedSite:
-    """Return the floor of a mesh as a plan, in metres of the mesh's frame.
+    """Return the floor of a mesh as a building, in metres of the mesh's frame.
 
     A point (x, y, z) of a glTF file is (x, -z) on the plan.
     """
     require_extra("models", "trimesh", purpose="reading meshes")
-    from memorymaze.importing.mesh_features import by_kind, door_line, features_on
+    from memorymaze.importing.mesh_features import by_kind, door_line, parts_on
     from memorymaze.importing.mesh_floor import mesh_floor_of
     from memorymaze.pictures.building_mesh import read_mesh
 
@@ -53,9 +55,9 @@ def import_mesh(path: Path) -> ImportedSite:
     ]
     lines = [_named(line, named) for line in centre_lines(floor)]
     planned = plan_floor(lines, notes, floor)
-    features = features_on(planned.polygon, found.height, kinds, notes)
+    parts = parts_on(planned.polygon, found.height, kinds, notes)
     boxes = list(
-        box_features([each for each in standing if each.area >= BIT], planned.polygon)
+        boxes_on(planned.polygon, [each for each in standing if each.area >= BIT])
     )
     bits = sum(each.area < BIT for each in standing)
     if bits:
@@ -71,17 +73,20 @@ def import_mesh(path: Path) -> ImportedSite:
         )
     notes.missing.append("routes, and all names that the file's nodes do not have")
     said = next(
-        (piece.extras for piece in pieces if "ceiling_height_m" in piece.extras), {}
+        (each.extras for each in pieces if "ceiling_height_m" in each.extras), {}
     )
-    plan = site_plan(
+    header = understand_plan({
+        **said, "type": "FeatureCollection", "anchor": said.get("anchor")
+    }).header  # fmt: skip
+    site = site_of(
         path,
-        said.get("title"),
-        said.get("floor", "ground floor"),
-        None,
-        [*planned.features, *features, *boxes],
+        header and header.title,
+        header.floor if header else "ground floor",
+        header and anchor_of(header),
+        [*planned.parts, *parts, *boxes],
         round(found.ceiling or CEILING, 2),
     )
-    return notes.imported({**plan, "anchor": said.get("anchor")})
+    return notes.imported(site)
 
 
 def _named(

@@ -3,18 +3,18 @@
 import math
 import re
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
-from typing import Any
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
-from shapely import LineString, MultiPoint, Polygon
-from shapely.geometry import shape
+from shapely import LineString, MultiPoint, Point, Polygon
 
 from memorymaze.importing.imported import ImportNotes
 from memorymaze.importing.obstacles import box_around
 from memorymaze.importing.shapes import moved
 from memorymaze.pictures.building_mesh import MeshPiece
 from memorymaze.sites.floor_rules import DOOR_OFF_WALL, ROOM_ON_FLOOR, THING_OFF_FLOOR
-from memorymaze.sites.plan_writing import Feature, degrees, line_feature, point_feature
+from memorymaze.sites.loading import part_of
+from memorymaze.sites.records import Door, Landmark, PlanPart, Room
 from memorymaze.wording import counted
 
 BUILDING = frozenset([
@@ -129,14 +129,14 @@ def door_line(piece: MeshPiece) -> LineString:
     ])
 
 
-def features_on(
+def parts_on(
     floor: Polygon,
     height: float,
     pieces: Mapping[str, Sequence[MeshPiece]],
     notes: ImportNotes,
-) -> list[Feature]:
-    """Return rooms, doors and things as features; those left out are told."""
-    found: dict[str, Feature] = {}
+) -> list[PlanPart]:
+    """Return rooms, doors and things; those left out are told."""
+    found: dict[str, PlanPart] = {}
     rooms: set[str] = set()
     for kind, noun, why in (
         ("room", "room", "that lie on the floor"),
@@ -147,11 +147,11 @@ def features_on(
         # A node with several materials has several meshes.
         named = {piece.name: piece for piece in pieces.get(kind, ())}
         for piece in named.values():
-            made = next(_features_of(kind, piece, floor, height, rooms), None)
+            made = _part(kind, piece, floor, height, rooms)
             if made is None:
                 notes.miss(f"{noun}s {why}", piece.name)
                 continue
-            found[str(made["id"])] = made
+            found[made.id] = made
         if kind == "room":
             rooms |= found.keys()
         if len(found) > before:
@@ -159,69 +159,67 @@ def features_on(
     return list(found.values())
 
 
-def _features_of(
+def _part(
     kind: str, piece: MeshPiece, floor: Polygon, height: float, rooms: set[str]
-) -> Iterator[Feature]:
-    """Yield the feature of a piece, if it fits on the floor."""
-    told = _told(kind, piece.extras) if "geometry" in piece.extras else None
-    whole: Feature = {
-        "type": "Feature",
-        "id": piece.name,
-        "geometry": piece.extras.get("geometry"),
-        "properties": told,
-    }
-    if kind == "room":
-        covered = shape(piece.extras["geometry"]).intersection(floor).area
-        if covered <= ROOM_ON_FLOOR:
-            yield whole
-    elif kind == "door":
+) -> PlanPart | None:
+    """Return what a piece is on the plan, if it fits on the floor."""
+    told = _told(kind, piece)
+    if isinstance(told, Room):
+        beside = told.polygon.intersection(floor).area <= ROOM_ON_FLOOR
+        return told if beside else None
+    if kind == "door":
         line = _onto_wall(door_line(piece), floor)
         if line is None:
-            return
-        ends = [(x, y) for x, y in line.coords]
-        more: dict[str, Any] = {
-            "room": None, "style": "wood", "color": "brown", "label": None, "state": "closed",
-        }  # fmt: skip
-        if told:
-            more = {k: v for k, v in told.items() if k != "kind"}
-            more["room"] = more["room"] if more["room"] in rooms else None
-        yield line_feature(_identity(piece.name), "door", ends, **more)
-    elif told:
-        if told["mount"] != "floor" or _stands(piece, floor):
-            yield whole
-    else:
-        low, high = piece.vertices[:, 2].min(), piece.vertices[:, 2].max()
-        middle, length, depth, heading = _box(piece)
-        if low - height <= STANDS < high - height and _stands(piece, floor):
-            yield point_feature(
-                _identity(piece.name),
-                "landmark",
-                middle,
-                category=" ".join(
-                    word for word in _words(piece.name) if word not in WORDLESS
-                ),
-                color=None,
-                name=None,
-                text=None,
-                heading_deg=degrees(heading + math.pi / 2),
-                size_m=[round(length, 2), round(depth, 2), round(high - low, 2)],
-                mount="floor",
-                obstacle=True,
-            )
+            return None
+        identity = _identity(piece.name)
+        if not isinstance(told, Door):
+            return Door(identity, line, None, "wood", "brown", None, "closed")
+        room = told.room if told.room in rooms else None
+        return replace(told, id=identity, line=line, room=room)
+    if isinstance(told, Landmark):
+        stands = floor.distance(told.position) <= THING_OFF_FLOOR
+        return told if told.mount != "floor" or stands else None
+    if kind == "landmark":
+        return _unwritten_thing(piece, floor, height)
+    return None
 
 
-def _told(kind: str, extras: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the properties of a feature as our export wrote them."""
+def _unwritten_thing(
+    piece: MeshPiece, floor: Polygon, height: float
+) -> Landmark | None:
+    low, high = piece.vertices[:, 2].min(), piece.vertices[:, 2].max()
+    middle, length, depth, heading = _box(piece)
+    if floor.distance(Point(middle)) > THING_OFF_FLOOR:
+        return None
+    if not low - height <= STANDS < high - height:
+        return None
+    words = [word for word in _words(piece.name) if word not in WORDLESS]
+    return Landmark(
+        _identity(piece.name),
+        Point(middle),
+        category=" ".join(words),
+        color=None,
+        name=None,
+        text=None,
+        heading=heading + math.pi / 2,
+        size=(round(length, 2), round(depth, 2), round(float(high - low), 2)),
+        mount="floor",
+        obstacle=True,
+    )
+
+
+def _told(kind: str, piece: MeshPiece) -> PlanPart | None:
+    """Return what our export wrote of a feature, if it did."""
+    extras = piece.extras
+    if "geometry" not in extras:
+        return None
     members = {k: v for k, v in extras.items() if k not in ("id", "geometry")}
-    return {**NULLS[kind], **members}
-
-
-def _stands(piece: MeshPiece, floor: Polygon) -> bool:
-    if "geometry" in piece.extras:
-        place = shape(piece.extras["geometry"])
-    else:
-        place = MultiPoint(piece.vertices[:, :2]).minimum_rotated_rectangle.centroid
-    return floor.distance(place) <= THING_OFF_FLOOR
+    return part_of({
+        "type": "Feature",
+        "id": piece.name,
+        "geometry": extras["geometry"],
+        "properties": {**NULLS[kind], **members},
+    })
 
 
 def _onto_wall(line: LineString, floor: Polygon) -> LineString | None:

@@ -29,6 +29,12 @@ class _Model(BaseModel):
     )
 
 
+class _OpenModel(_Model):
+    """Keeps what else is said."""
+
+    model_config = ConfigDict(extra="allow")
+
+
 class AnchorModel(_Model):
     """Where the origin lies on the globe."""
 
@@ -37,7 +43,7 @@ class AnchorModel(_Model):
     bearing_deg: Degrees
 
 
-class PlanHeader(_Model):
+class PlanHeader(_OpenModel):
     """Members of the plan beside its features."""
 
     type: Literal["FeatureCollection"]
@@ -49,7 +55,9 @@ class PlanHeader(_Model):
     description: _AnyText
 
 
-class _PolygonGeometry(_Model):
+class PolygonGeometry(_Model):
+    """Rings, the outline first."""
+
     type: Literal["Polygon"]
     coordinates: Annotated[list[list[_Position]], Field(min_length=1)]
 
@@ -69,23 +77,23 @@ class _PointGeometry(_Model):
     coordinates: _Position
 
 
-class FeatureModel(_Model):
+class _FeatureModel(_Model):
     """What every feature has."""
 
     type: Literal["Feature"]
     id: Identity
 
 
-class _FloorProperties(_Model):
+class _FloorProperties(_OpenModel):
     name: _AnyText | None
     floor_material: _Text
     wall_material: _Text
 
 
-class CorridorFeature(FeatureModel):
+class CorridorFeature(_FeatureModel):
     """A corridor."""
 
-    geometry: _PolygonGeometry
+    geometry: PolygonGeometry
     properties: _FloorProperties
 
 
@@ -93,10 +101,10 @@ class _AreaProperties(_FloorProperties):
     open_air: bool
 
 
-class AreaFeature(FeatureModel):
+class AreaFeature(_FeatureModel):
     """An open area."""
 
-    geometry: _PolygonGeometry
+    geometry: PolygonGeometry
     properties: _AreaProperties
 
 
@@ -105,32 +113,32 @@ class _ExitModel(_Model):
     heading_deg: Degrees
 
 
-class _TurningPointProperties(_Model):
+class _TurningPointProperties(_OpenModel):
     name: _AnyText | None
     shape: Literal["corner", "t_junction", "crossing", "opening", "dead_end"]
     exits: Annotated[list[_ExitModel], Field(min_length=1)]
 
 
-class TurningPointFeature(FeatureModel):
+class TurningPointFeature(_FeatureModel):
     """A turning point."""
 
-    geometry: _PolygonGeometry
+    geometry: PolygonGeometry
     properties: _TurningPointProperties
 
 
-class _RoomProperties(_Model):
+class _RoomProperties(_OpenModel):
     name: _AnyText
     use: _Text
 
 
-class RoomFeature(FeatureModel):
+class RoomFeature(_FeatureModel):
     """A room beside the floor."""
 
-    geometry: _PolygonGeometry
+    geometry: PolygonGeometry
     properties: _RoomProperties
 
 
-class _DoorProperties(_Model):
+class _DoorProperties(_OpenModel):
     room: _AnyText | None
     style: _Text
     color: _Text
@@ -138,14 +146,14 @@ class _DoorProperties(_Model):
     state: Literal["closed", "open"]
 
 
-class DoorFeature(FeatureModel):
+class DoorFeature(_FeatureModel):
     """A door."""
 
     geometry: _SegmentGeometry
     properties: _DoorProperties
 
 
-class _LandmarkProperties(_Model):
+class _LandmarkProperties(_OpenModel):
     category: _Text
     color: _AnyText | None
     name: _AnyText | None
@@ -156,7 +164,7 @@ class _LandmarkProperties(_Model):
     obstacle: bool
 
 
-class LandmarkFeature(FeatureModel):
+class LandmarkFeature(_FeatureModel):
     """A thing on the floor, a wall or the ceiling."""
 
     geometry: _PointGeometry
@@ -168,7 +176,7 @@ class _TurnModel(_Model):
     direction: Literal["left", "right", "slight_left", "slight_right"]
 
 
-class _RouteProperties(_Model):
+class _RouteProperties(_OpenModel):
     route: Identity
     role: Literal["reference", "alternative"]
     start_heading_deg: Degrees
@@ -180,13 +188,22 @@ class _RouteProperties(_Model):
     note: _AnyText
 
 
-class RouteFeature(FeatureModel):
+class RouteFeature(_FeatureModel):
     """A route."""
 
     geometry: _LineGeometry
     properties: _RouteProperties
 
 
+FeatureModel = (
+    CorridorFeature
+    | AreaFeature
+    | TurningPointFeature
+    | RoomFeature
+    | DoorFeature
+    | LandmarkFeature
+    | RouteFeature
+)
 FEATURE_MODELS: dict[str, type[FeatureModel]] = {
     "corridor": CorridorFeature,
     "area": AreaFeature,

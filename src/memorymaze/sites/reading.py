@@ -29,8 +29,6 @@ class PlanContent:
     The kind is empty where it is not known.
     """
     findings: tuple[SiteProblem, ...]
-    document: Mapping[str, object]
-    """The whole plan as JSON; empty where there is none."""
 
 
 def read_plan(path: Path) -> PlanContent:
@@ -41,7 +39,7 @@ def read_plan(path: Path) -> PlanContent:
     """
     document = _read_document(path)
     if isinstance(document, SiteProblem):
-        return PlanContent(None, (), {}, (document,), {})
+        return PlanContent(None, (), {}, (document,))
     return understand_plan(document)
 
 
@@ -70,7 +68,7 @@ def understand_plan(document: Mapping[str, object]) -> PlanContent:
         else:
             broken[label] = _kind(raw) or ""
         seen.add(label)
-    return PlanContent(header, tuple(features), broken, tuple(findings), document)
+    return PlanContent(header, tuple(features), broken, tuple(findings))
 
 
 def _read_document(path: Path) -> Mapping[str, object] | SiteProblem:

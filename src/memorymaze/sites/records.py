@@ -5,18 +5,21 @@ live in the other files of this room.
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Literal, cast
+from pathlib import Path
+from typing import Literal, TypedDict, TypeVar, cast
 
 from shapely import LineString, MultiPolygon, Point, Polygon, box, union_all
 from shapely.affinity import affine_transform
 
+from memorymaze.durable_files import write_whole
 from memorymaze.errors import SettingsError, SitePlanError, did_you_mean
 from memorymaze.geometry.pose import Pose
 
 Mount = Literal["floor", "wall", "ceiling"]
+_Part = TypeVar("_Part", bound="PlanPart")
 
 SEAM_GAP = 1e-3
 """Half the width in metres of the gaps and slivers that are closed in the floor."""
@@ -37,10 +40,20 @@ class Anchor:
 
 
 @dataclass(frozen=True)
-class Corridor:
-    """A straight, convex, four-cornered piece of floor; its long direction is its way."""
+class PlanPart:
+    """What every feature of a plan is."""
 
     id: str
+    more: Mapping[str, object] = field(
+        default_factory=dict[str, object], kw_only=True, compare=False, repr=False
+    )
+    """What else the plan says of it, that nobody reads."""
+
+
+@dataclass(frozen=True)
+class Corridor(PlanPart):
+    """A straight, convex, four-cornered piece of floor; its long direction is its way."""
+
     polygon: Polygon
     name: str | None
     """What people call it."""
@@ -64,10 +77,9 @@ class Corridor:
 
 
 @dataclass(frozen=True)
-class Area:
+class Area(PlanPart):
     """Open floor of any shape; holes are blocks one walks around."""
 
-    id: str
     polygon: Polygon
     name: str | None
     floor_material: str
@@ -86,10 +98,9 @@ class Exit:
 
 
 @dataclass(frozen=True)
-class TurningPoint:
+class TurningPoint(PlanPart):
     """A convex part of the floor where a walker can change corridor."""
 
-    id: str
     polygon: Polygon
     name: str | None
     shape: str
@@ -99,20 +110,18 @@ class TurningPoint:
 
 
 @dataclass(frozen=True)
-class Room:
+class Room(PlanPart):
     """A space beside the walkable floor; not entered."""
 
-    id: str
     polygon: Polygon
     name: str
     use: str
 
 
 @dataclass(frozen=True)
-class Door:
+class Door(PlanPart):
     """A door on the boundary of the walkable floor."""
 
-    id: str
     line: LineString
     """Its two ends, (2, 2) metres."""
     room: str | None
@@ -125,10 +134,9 @@ class Door:
 
 
 @dataclass(frozen=True)
-class Landmark:
+class Landmark(PlanPart):
     """A thing that people mention or that stands in the way."""
 
-    id: str
     position: Point
     """Centre of its footprint."""
     category: str
@@ -163,10 +171,9 @@ class RouteTurn:
 
 
 @dataclass(frozen=True)
-class Route:
+class Route(PlanPart):
     """A walk from a start to a destination along its middle line."""
 
-    id: str
     line: LineString
     route: str
     """`R1`, `R2`, …"""
@@ -189,6 +196,36 @@ class Route:
         return Pose(x, y, self.start_heading)
 
 
+class PartsByKind(TypedDict):
+    """All features of a site, as it takes them."""
+
+    corridors: tuple[Corridor, ...]
+    areas: tuple[Area, ...]
+    turning_points: tuple[TurningPoint, ...]
+    rooms: tuple[Room, ...]
+    doors: tuple[Door, ...]
+    landmarks: tuple[Landmark, ...]
+    routes: tuple[Route, ...]
+
+
+def parts_by_kind(parts: Iterable[PlanPart]) -> PartsByKind:
+    """Return the parts of a plan by their kinds, in their order."""
+    parts = tuple(parts)
+
+    def all_of(kind: type[_Part]) -> tuple[_Part, ...]:
+        return tuple(each for each in parts if isinstance(each, kind))
+
+    return {
+        "corridors": all_of(Corridor),
+        "areas": all_of(Area),
+        "turning_points": all_of(TurningPoint),
+        "rooms": all_of(Room),
+        "doors": all_of(Door),
+        "landmarks": all_of(Landmark),
+        "routes": all_of(Route),
+    }
+
+
 @dataclass(frozen=True)
 class Site:
     """One floor of a building: what the robot's world is made from."""
@@ -207,10 +244,12 @@ class Site:
     doors: tuple[Door, ...]
     landmarks: tuple[Landmark, ...]
     routes: tuple[Route, ...]
+    more: Mapping[str, object] = field(
+        default_factory=dict[str, object], compare=False, repr=False
+    )
+    """What else the plan says, that nobody reads."""
     source: str = field(default="", compare=False)
     """Path of the file it was read from."""
-    plan: bytes = field(default=b"", compare=False, repr=False)
-    """Its plan as JSON, in the format of `docs/site_plans.md`."""
 
     def __repr__(self) -> str:
         """Return name and size."""
@@ -220,6 +259,17 @@ class Site:
             f"{', '.join(route.id for route in self.routes) or 'none'})"
         )
 
+    @property
+    def floor_parts(self) -> tuple[Corridor | Area | TurningPoint, ...]:
+        """All that is walked on."""
+        return (*self.corridors, *self.areas, *self.turning_points)
+
+    @property
+    def parts(self) -> tuple[PlanPart, ...]:
+        """All features, in the order in which they are written."""
+        beside = (*self.rooms, *self.doors, *self.landmarks)
+        return (*self.floor_parts, *beside, *self.routes)
+
     @cached_property
     def walkable_floor(self) -> Polygon:
         """Union of all corridors, areas and turning points, with its holes.
@@ -227,10 +277,7 @@ class Site:
         Gaps and slivers up to 2 mm wide and kinks below 5 mm, which rounded coordinates
         leave at slanted seams, are smoothed away.
         """
-        return union_of_floor([
-            part.polygon
-            for part in (*self.corridors, *self.areas, *self.turning_points)
-        ])
+        return union_of_floor([part.polygon for part in self.floor_parts])
 
     @cached_property
     def free_floor(self) -> Polygon | MultiPolygon:
@@ -241,6 +288,22 @@ class Site:
         obstacles = [thing.footprint for thing in self.landmarks if thing.obstacle]
         free = self.walkable_floor.difference(union_all(obstacles))
         return cast(Polygon | MultiPolygon, free)
+
+    def save(self, path: str | Path) -> None:
+        """Write it as a plan, which is read as the same building; replace what is there.
+
+        Raises:
+            SettingsError: The file cannot be written.
+        """
+        # Below: `plan` is made of these records.
+        from memorymaze.sites.plan import plan_bytes
+
+        try:
+            write_whole(Path(path), plan_bytes(self))
+        except OSError as error:
+            raise SettingsError(
+                f"{path}: cannot be written ({error.strerror or error})"
+            ) from None
 
     def route(self, route_id: str) -> Route:
         """Return the route feature with this id, such as `route_r1_reference`.
