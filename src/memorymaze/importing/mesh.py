@@ -19,7 +19,7 @@ from memorymaze.importing.imported import (
 )
 from memorymaze.importing.obstacles import boxes_on, without_obstacles
 from memorymaze.importing.ways import plan_floor
-from memorymaze.sites.loading import anchor_of
+from memorymaze.sites.loading import told_in
 from memorymaze.sites.reading import understand_plan
 from memorymaze.wording import counted
 
@@ -82,7 +82,7 @@ def import_mesh(path: Path) -> ImportedSite:
         path,
         header and header.title,
         header.floor if header else "ground floor",
-        header and anchor_of(header),
+        told_in(header)["anchor"] if header else None,
         [*planned.parts, *parts, *boxes],
         round(found.ceiling or CEILING, 2),
     )

@@ -5,7 +5,7 @@ changed by hand.
 """
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import asdict
 from itertools import combinations, count, pairwise
 from typing import Any
@@ -16,7 +16,6 @@ from shapely.affinity import scale
 from memorymaze.geometry.pose import heading_to, turn_between
 from memorymaze.importing.reference_route import goals_of, turns_along
 from memorymaze.sites.exits import (
-    SAME_EXIT,
     TOUCH,
     Course,
     FloorShapes,
@@ -113,16 +112,16 @@ def _turning_point(
     ))  # fmt: skip
     shapes = [shape for kind in parts for shape in kind.values()]
     floor = union_all([each.buffer(1e-6) for each in shapes] + [place])
-    corridors = [each for each in site.corridors if each.id in parts.corridors]
-    headings = [
-        heading
-        for each in corridors
-        if each.polygon.distance(place) <= TOUCH
+    # Into corridors one walks along them only.
+    leading = [
+        (heading, {each.id: each.polygon})
+        for each in site.corridors
+        if each.id != identity and each.polygon.distance(place) <= TOUCH
         for heading in (_course(each), turn_between(math.pi, _course(each)))
-    ]
+    ] + [(heading, {}) for heading in _across_edges(place)]
     courses = [
-        _straight(heading, place, parts, corridors)
-        for heading in (*headings, *_across_edges(place))
+        Course(heading, _straight(heading, place), parts._replace(corridors=along))
+        for heading, along in leading
     ]
     exits = list(exits_along(courses, place, floor))
     exits.sort(key=lambda each: each.heading % (2 * math.pi))
@@ -130,13 +129,8 @@ def _turning_point(
     return in_millimetres(TurningPoint(identity, place, name, shape, tuple(exits)))
 
 
-def _straight(
-    heading: float, place: Polygon, parts: FloorShapes, corridors: Sequence[Corridor]
-) -> Course:
-    """Return the way straight ahead from the middle of a place.
-
-    It leads into those corridors only that go the same way.
-    """
+def _straight(heading: float, place: Polygon) -> LineString:
+    """Return the way straight ahead from the middle of a place to what lies beyond."""
     x, y = place.centroid.x, place.centroid.y
 
     def ahead(distance: float) -> LineString:
@@ -144,13 +138,7 @@ def _straight(
         return LineString([(x, y), end])
 
     within = ahead(place.length).intersection(place).length
-    along = {
-        each.id: each.polygon
-        for each in corridors
-        if abs(math.sin(turn_between(heading, _course(each)))) < math.sin(SAME_EXIT)
-    }
-    reach = max(exit_reach(place), within + BEYOND)
-    return Course(heading, ahead(reach), parts._replace(corridors=along))
+    return ahead(max(exit_reach(place), within + BEYOND))
 
 
 def _across_edges(place: Polygon) -> Iterator[float]:

@@ -3,7 +3,7 @@
 import re
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import cast
+from typing import Any, cast
 
 from pydantic import BaseModel
 from shapely import LineString, Point, Polygon
@@ -12,7 +12,7 @@ from memorymaze.errors import SettingsError, SitePlanError, did_you_mean
 from memorymaze.sites import plan_models as models
 from memorymaze.sites import records
 from memorymaze.sites.loading_rules import loading_findings
-from memorymaze.sites.plan import heading_of
+from memorymaze.sites.plan import KINDS, heading_of
 from memorymaze.sites.problems import SiteProblem
 from memorymaze.sites.reading import PlanContent, read_plan, understand_plan
 from memorymaze.sites.shape_rules import shape_problem
@@ -161,21 +161,17 @@ def site_from_content(
     for feature in content.features:
         part = _part_or_problem(feature)
         if isinstance(part, SiteProblem):
-            broken[feature.id] = _KINDS[type(feature)]
+            broken[feature.id] = models.kind_of(feature)
             findings.append(part)
         else:
             made.append(part)
     if header is None:
         return None, broken, findings
+    members = {name: v for name, v in told_in(header).items() if name != "type"}
     site = records.Site(
-        name=header.name,
-        title=header.title,
-        floor=header.floor,
-        ceiling_height=header.ceiling_height_m,
-        description=header.description,
-        anchor=anchor_of(header),
+        **members,
         **records.parts_by_kind(made),
-        more=_more(header, but="features"),
+        more=_more(header, "features"),
         source=source,
     )
     return site, broken, findings
@@ -189,48 +185,65 @@ def part_of(feature: Mapping[str, object]) -> records.PlanPart | None:
     return None
 
 
+def told_in(said: BaseModel) -> dict[str, Any]:
+    """Return what members say, called and measured as records have it."""
+    told: dict[str, Any] = {}
+    for member in type(said).model_fields:
+        name, _, unit = member.rpartition("_")
+        value = getattr(said, member)
+        if unit == "deg":
+            told[name] = heading_of(value)
+        elif unit == "m":
+            told[name] = tuple(value) if isinstance(value, list) else value
+        elif member in _WITHIN and value is not None:
+            kind, many = _WITHIN[member], isinstance(value, list)
+            made = [kind(**told_in(each)) for each in (value if many else [value])]
+            told[member] = tuple(made) if many else made[0]
+        else:
+            told[member] = value
+    return told
+
+
 def _part_or_problem(feature: models.FeatureModel) -> records.PlanPart | SiteProblem:
-    problem = _open_ring(feature)
-    if problem is not None:
-        return problem
-    part = _CONVERSIONS[type(feature)](feature)
+    geometry = feature.geometry
+    if isinstance(geometry, models.PolygonGeometry):
+        for number, ring in enumerate(geometry.coordinates):
+            problem = _open_ring(feature.id, number, ring)
+            if problem is not None:
+                return problem
+        outline, *holes = map(_points, geometry.coordinates)
+        shape = Polygon(outline, holes)
+    elif isinstance(geometry, models.PointGeometry):
+        shape = Point(_points([geometry.coordinates]))
+    else:
+        shape = LineString(_points(geometry.coordinates))
+    told = told_in(feature.properties)
+    if isinstance(feature, models.RouteFeature) and told["length"] is None:
+        told["length"] = shape.length
+    kind: Callable[..., records.PlanPart] = _RECORDS[models.kind_of(feature)]
+    part = kind(feature.id, shape, **told, more=_more(feature.properties, "kind"))
     return shape_problem(part) or part
 
 
-def anchor_of(header: models.PlanHeader) -> records.Anchor | None:
-    """Return where a plan's origin lies on the globe, if it says so."""
-    said = header.anchor
-    return said and records.Anchor(
-        said.latitude, said.longitude, heading_of(said.bearing_deg)
-    )
-
-
-def _more(members: BaseModel, but: str = "kind") -> dict[str, object]:
-    """Return the members that nobody reads."""
-    told = members.model_extra or {}
-    return {name: value for name, value in told.items() if name != but}
-
-
-def _open_ring(feature: models.FeatureModel) -> SiteProblem | None:
-    """Return what is wrong with the rings of a polygon as they are written."""
-    geometry = feature.geometry
-    rings = geometry.coordinates if isinstance(geometry, models.PolygonGeometry) else ()
-    for number, ring in enumerate(rings):
-        which = "outline" if number == 0 else f"hole {number}"
-        if len(ring) < 4:
-            return SiteProblem(
-                feature.id,
-                "ring-closed",
-                f"expected at least 3 corners and the first one again in the {which}, "
-                f"got {len(ring)} positions",
-            )
-        if ring[0][:2] != ring[-1][:2]:
-            return SiteProblem(
-                feature.id,
-                "ring-closed",
-                f"expected the {which} to end where it starts, at {ring[0][:2]}, got "
-                f"{ring[-1][:2]}; repeat the first position at the end",
-            )
+def _open_ring(
+    identity: str, number: int, ring: Sequence[Sequence[float]]
+) -> SiteProblem | None:
+    """Return what is wrong with a ring of a polygon as it is written."""
+    which = "outline" if number == 0 else f"hole {number}"
+    if len(ring) < 4:
+        return SiteProblem(
+            identity,
+            "ring-closed",
+            f"expected at least 3 corners and the first one again in the {which}, "
+            f"got {len(ring)} positions",
+        )
+    if ring[0][:2] != ring[-1][:2]:
+        return SiteProblem(
+            identity,
+            "ring-closed",
+            f"expected the {which} to end where it starts, at {ring[0][:2]}, got "
+            f"{ring[-1][:2]}; repeat the first position at the end",
+        )
     return None
 
 
@@ -238,113 +251,15 @@ def _points(positions: Sequence[Sequence[float]]) -> list[tuple[float, float]]:
     return [(position[0], position[1]) for position in positions]
 
 
-def _polygon(geometry: models.PolygonGeometry) -> Polygon:
-    outline, *holes = map(_points, geometry.coordinates)
-    return Polygon(outline, holes)
+def _more(members: BaseModel, but: str) -> dict[str, object]:
+    """Return the members that nobody reads."""
+    told = members.model_extra or {}
+    return {name: value for name, value in told.items() if name != but}
 
 
-def _corridor(feature: models.CorridorFeature) -> records.Corridor:
-    said = feature.properties
-    return records.Corridor(
-        feature.id,
-        _polygon(feature.geometry),
-        said.name,
-        said.floor_material,
-        said.wall_material,
-        more=_more(said),
-    )
-
-
-def _area(feature: models.AreaFeature) -> records.Area:
-    said = feature.properties
-    return records.Area(
-        feature.id,
-        _polygon(feature.geometry),
-        said.name,
-        said.floor_material,
-        said.wall_material,
-        said.open_air,
-        more=_more(said),
-    )
-
-
-def _turning_point(feature: models.TurningPointFeature) -> records.TurningPoint:
-    said = feature.properties
-    exits = (records.Exit(each.to, heading_of(each.heading_deg)) for each in said.exits)
-    return records.TurningPoint(
-        feature.id,
-        _polygon(feature.geometry),
-        said.name,
-        said.shape,
-        tuple(exits),
-        more=_more(said),
-    )
-
-
-def _room(feature: models.RoomFeature) -> records.Room:
-    said = feature.properties
-    polygon = _polygon(feature.geometry)
-    return records.Room(feature.id, polygon, said.name, said.use, more=_more(said))
-
-
-def _door(feature: models.DoorFeature) -> records.Door:
-    said = feature.properties
-    return records.Door(
-        feature.id,
-        LineString(_points(feature.geometry.coordinates)),
-        said.room,
-        said.style,
-        said.color,
-        said.label,
-        said.state,
-        more=_more(said),
-    )
-
-
-def _landmark(feature: models.LandmarkFeature) -> records.Landmark:
-    said = feature.properties
-    length, depth, height = said.size_m
-    return records.Landmark(
-        feature.id,
-        Point(_points([feature.geometry.coordinates])[0]),
-        said.category,
-        said.color,
-        said.name,
-        said.text,
-        heading_of(said.heading_deg),
-        (length, depth, height),
-        said.mount,
-        said.obstacle,
-        more=_more(said),
-    )
-
-
-def _route(feature: models.RouteFeature) -> records.Route:
-    said = feature.properties
-    line = LineString(_points(feature.geometry.coordinates))
-    return records.Route(
-        feature.id,
-        line,
-        said.route,
-        said.role,
-        heading_of(said.start_heading_deg),
-        said.goal,
-        said.goal_landmark,
-        line.length if said.length_m is None else said.length_m,
-        tuple(records.RouteTurn(turn.at, turn.direction) for turn in said.turns),
-        said.note,
-        more=_more(said),
-    )
-
-
-_CONVERSIONS: dict[type[models.FeatureModel], Callable[..., records.PlanPart]] = {
-    models.CorridorFeature: _corridor,
-    models.AreaFeature: _area,
-    models.TurningPointFeature: _turning_point,
-    models.RoomFeature: _room,
-    models.DoorFeature: _door,
-    models.LandmarkFeature: _landmark,
-    models.RouteFeature: _route,
+_WITHIN: dict[str, Callable[..., object]] = {
+    "anchor": records.Anchor,
+    "exits": records.Exit,
+    "turns": records.RouteTurn,
 }
-
-_KINDS = {model: kind for kind, model in models.FEATURE_MODELS.items()}
+_RECORDS = {kind: record for record, kind in KINDS.items()}

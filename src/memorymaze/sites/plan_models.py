@@ -72,7 +72,9 @@ class _SegmentGeometry(_Model):
     coordinates: Annotated[list[_Position], Field(min_length=2, max_length=2)]
 
 
-class _PointGeometry(_Model):
+class PointGeometry(_Model):
+    """A place."""
+
     type: Literal["Point"]
     coordinates: _Position
 
@@ -167,7 +169,7 @@ class _LandmarkProperties(_OpenModel):
 class LandmarkFeature(_FeatureModel):
     """A thing on the floor, a wall or the ceiling."""
 
-    geometry: _PointGeometry
+    geometry: PointGeometry
     properties: _LandmarkProperties
 
 
@@ -213,3 +215,11 @@ FEATURE_MODELS: dict[str, type[FeatureModel]] = {
     "landmark": LandmarkFeature,
     "route": RouteFeature,
 }
+
+
+def kind_of(feature: FeatureModel) -> str:
+    """Return what a plan calls a feature."""
+    return _KINDS[type(feature)]
+
+
+_KINDS = {model: kind for kind, model in FEATURE_MODELS.items()}

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import Literal, TypedDict, TypeVar, cast
+from typing import Any, Literal, cast
 
 from shapely import LineString, MultiPolygon, Point, Polygon, box, union_all
 from shapely.affinity import affine_transform
@@ -19,7 +19,6 @@ from memorymaze.errors import SettingsError, SitePlanError, did_you_mean
 from memorymaze.geometry.pose import Pose
 
 Mount = Literal["floor", "wall", "ceiling"]
-_Part = TypeVar("_Part", bound="PlanPart")
 
 SEAM_GAP = 1e-3
 """Half the width in metres of the gaps and slivers that are closed in the floor."""
@@ -196,33 +195,21 @@ class Route(PlanPart):
         return Pose(x, y, self.start_heading)
 
 
-class PartsByKind(TypedDict):
-    """All features of a site, as it takes them."""
-
-    corridors: tuple[Corridor, ...]
-    areas: tuple[Area, ...]
-    turning_points: tuple[TurningPoint, ...]
-    rooms: tuple[Room, ...]
-    doors: tuple[Door, ...]
-    landmarks: tuple[Landmark, ...]
-    routes: tuple[Route, ...]
-
-
-def parts_by_kind(parts: Iterable[PlanPart]) -> PartsByKind:
-    """Return the parts of a plan by their kinds, in their order."""
+def parts_by_kind(parts: Iterable[PlanPart]) -> dict[str, Any]:
+    """Return the parts of a plan in their order, by the names that a site has for them."""
     parts = tuple(parts)
-
-    def all_of(kind: type[_Part]) -> tuple[_Part, ...]:
-        return tuple(each for each in parts if isinstance(each, kind))
-
+    kinds = {
+        "corridors": Corridor,
+        "areas": Area,
+        "turning_points": TurningPoint,
+        "rooms": Room,
+        "doors": Door,
+        "landmarks": Landmark,
+        "routes": Route,
+    }
     return {
-        "corridors": all_of(Corridor),
-        "areas": all_of(Area),
-        "turning_points": all_of(TurningPoint),
-        "rooms": all_of(Room),
-        "doors": all_of(Door),
-        "landmarks": all_of(Landmark),
-        "routes": all_of(Route),
+        name: tuple(part for part in parts if isinstance(part, kind))
+        for name, kind in kinds.items()
     }
 
 
