@@ -1,6 +1,7 @@
 """A site made ready for episodes: its scene, its grid, and what scoring needs."""
 
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from functools import cached_property, partial
 
 import numpy as np
@@ -20,6 +21,7 @@ from memorymaze.perception.eyes import Eyes
 from memorymaze.pictures import Looks, robot_cameras
 from memorymaze.pictures.furniture.models import check_looks
 from memorymaze.simulation.obstacles import ObstacleSettings
+from memorymaze.simulation.own_body import CanBeClosed
 from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.simulation.scene import Scene, build_scene
 from memorymaze.simulation.senses.noise import NoiseSettings
@@ -97,23 +99,30 @@ class Arena:
             body = self._body.make(self.site, episode.start, settings, rng)
         if self.obstacles is not None:
             placing = obstacle_generator(self.obstacles.seed, episode.id)
-        return self._make_robot(
-            self.scene,
-            episode.start,
-            settings,
-            rng,
-            on_event,
-            detector=self.eyes.detector_for(
-                detector_rng or np.random.default_rng(0), settings.detection_range
-            ),
-            sign_reader=self.eyes.sign_reader(),
-            obstacles_rng=placing,
-            keep_free=episode.reference_path,
-            lidar=None if self._noise is None else self._noise.lidar,
-            odometry=None if self._noise is None else self._noise.odometry,
-            cameras=partial(robot_cameras, looks=self.looks),
-            body=body,
-        )
+        try:
+            return self._make_robot(
+                self.scene,
+                episode.start,
+                settings,
+                rng,
+                on_event,
+                detector=self.eyes.detector_for(
+                    detector_rng or np.random.default_rng(0), settings.detection_range
+                ),
+                sign_reader=self.eyes.sign_reader(),
+                obstacles_rng=placing,
+                keep_free=episode.reference_path,
+                lidar=None if self._noise is None else self._noise.lidar,
+                odometry=None if self._noise is None else self._noise.odometry,
+                cameras=partial(robot_cameras, looks=self.looks),
+                body=body,
+            )
+        except BaseException:
+            if isinstance(body, CanBeClosed):
+                # Why it cannot begin is what is told.
+                with suppress(Exception):
+                    body.close()
+            raise
 
     def finished(
         self,

@@ -207,7 +207,10 @@ def _tangible(
     for number, geom in enumerate(list(spec.worldbody.geoms)):
         if not stays[number]:
             spec.delete(geom)
-    return spec.compile(), tuple(np.flatnonzero(stays).tolist())
+    tangible = spec.compile()
+    # What stands still is then not placed anew at each step; robots never sleep.
+    tangible.opt.enableflags |= mujoco.mjtEnableBit.mjENBL_SLEEP
+    return tangible, tuple(np.flatnonzero(stays).tolist())
 
 
 def _movables(site: Site, obstacles: ObstacleSettings) -> list[Movable]:
