@@ -44,7 +44,7 @@ def main() -> None:
         scene = build_visual_scene(site)
         save(sheet(scene, list(views(site))), out / f"{name}_views.png")
         with PanoramaCamera(scene, SHRINK * PANORAMA_WIDTH, multisamples=4) as camera:
-            route = site.reference_route("R1").line
+            route = site.find_route("R1").line
             middle = route.interpolate(0.5, normalized=True)
             frame = camera.frame(Pose(middle.x, middle.y, 0.0))
         panorama = Image.fromarray(frame.rgb).reduce(SHRINK)

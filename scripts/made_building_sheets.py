@@ -60,7 +60,7 @@ def drawn(site: Site) -> Image.Image:
 def seen(site: Site) -> list[Image.Image]:
     """Return what a robot sees at four places along a route."""
     scene = build_visual_scene(site)
-    poses = poses_along(site.reference_route("R2"))
+    poses = poses_along(site.find_route("R2"))
     with RenderedCamera(scene, 2 * VIEW_WIDTH, 2 * VIEW_HEIGHT) as camera:
         return [Image.fromarray(camera.frame(pose).rgb).reduce(2) for pose in poses]
 

@@ -12,7 +12,7 @@ import trimesh
 from memorymaze.construction import make_building
 from memorymaze.exporting import export_site
 from memorymaze.sites import Site
-from memorymaze.sites.plan import plan_of
+from memorymaze.sites.plan import site_plan
 
 Errors = Callable[[Path], list[dict[str, Any]]]
 
@@ -51,7 +51,7 @@ def test_every_feature_is_a_node_with_its_id_and_properties(
     corridor_glb: Path, corridor_site: Site
 ):
     nodes = {node["name"]: node for node in json_of(corridor_glb)["nodes"]}
-    for feature in plan_of(corridor_site)["features"]:
+    for feature in site_plan(corridor_site)["features"]:
         wanted = {k: v for k, v in feature["properties"].items() if v is not None}
         if wanted["kind"] == "route":
             continue

@@ -7,7 +7,7 @@ from memorymaze.construction import make_building
 from memorymaze.errors import SettingsError
 from memorymaze.exporting import export_site
 from memorymaze.sites import Site
-from memorymaze.sites.plan import plan_of
+from memorymaze.sites.plan import site_plan
 
 
 @pytest.fixture(scope="module")
@@ -54,7 +54,7 @@ def test_every_feature_is_a_prim_with_its_properties_and_a_class(
         for each in stage.GetPrimAtPath("/corridor").GetChildren()
     }
     door, bench = corridor_site.doors[0], corridor_site.landmarks[0]
-    for feature in plan_of(corridor_site)["features"]:
+    for feature in site_plan(corridor_site)["features"]:
         if feature["properties"]["kind"] == "route":
             continue
         prim = prims[feature["id"]]

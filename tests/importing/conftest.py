@@ -15,7 +15,7 @@ from memorymaze.importing.imported import ImportedSite
 from memorymaze.importing.reference_route import reference_route
 from memorymaze.sites import Site, load_site
 from memorymaze.sites import find_site_problems as problems_of
-from memorymaze.sites.plan import plan_of
+from memorymaze.sites.plan import site_plan
 from memorymaze.testing import check_site
 
 DATA = Path(__file__).parent / "data"
@@ -79,7 +79,7 @@ def kinds() -> Callable[[ImportedSite, str], list[dict[str, Any]]]:
     """Properties of the features of a kind in an imported plan."""
 
     def of(imported: ImportedSite, kind: str) -> list[dict[str, Any]]:
-        features = plan_of(imported.site)["features"]
+        features = site_plan(imported.site)["features"]
         properties = [each["properties"] for each in features]
         return [each for each in properties if each["kind"] == kind]
 

@@ -7,7 +7,7 @@ from shapely import LineString, box, union_all
 
 from memorymaze.errors import ImportFileError
 from memorymaze.importing.centre_lines import centre_lines
-from memorymaze.importing.imported import CentreLine, ImportNotes, site_of
+from memorymaze.importing.imported import CentreLine, ImportNotes, imported_building
 from memorymaze.importing.ways import OpenArea, plan_floor
 from memorymaze.sites import find_site_problems
 
@@ -20,7 +20,7 @@ def planned(tmp_path):
         notes = ImportNotes()
         made = plan_floor(lines, notes, floor, areas)
         path = tmp_path / "floor.geojson"
-        site = site_of(path, "Floor", "1", None, made.parts)
+        site = imported_building(path, "Floor", "1", None, made.parts)
         site.save(path)
         wrong = [each for each in find_site_problems(path) if each.severity == "error"]
         assert wrong == []

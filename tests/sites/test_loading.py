@@ -24,7 +24,7 @@ def test_the_three_floors_of_the_benchmark_have_the_published_route_lengths(
     builtin_sites: dict[str, Site],
 ):
     lengths = {
-        (name, route): site.reference_route(route).line.length
+        (name, route): site.find_route(route).line.length
         for name, site in builtin_sites.items()
         for route in ("R1", "R2")
     }
@@ -55,7 +55,7 @@ def test_loading_keeps_all_that_a_plan_says(t_site: Site):
     chair = next(thing for thing in t_site.landmarks if thing.id == "chair")
     assert (chair.category, chair.color, chair.mount) == ("chair", "red", "floor")
     assert chair.size == (0.5, 0.5, 0.9)
-    route = t_site.route("route_r2_reference")
+    route = t_site.find_route("route_r2_reference")
     assert [(turn.at, turn.direction) for turn in route.turns] == [
         ("tp_junction", "right")
     ]

@@ -78,7 +78,7 @@ def _finished(planned: PlannedBuilding, task: BuildingTask) -> FinishedBuilding:
     if task.walked:
         scene = build_scene(site)
         for route in sorted({each.reference_route for each in instructions}):
-            walks[route] = walk_by_steps(scene, site.route(route))
+            walks[route] = walk_by_steps(scene, site.find_route(route))
     return FinishedBuilding(planned, site, tuple(instructions), walks)
 
 

@@ -17,7 +17,7 @@ from memorymaze.pictures.rendering.placed_things import (
     shadow_under,
 )
 from memorymaze.pictures.rendering.structure import structure_of
-from memorymaze.sites.plan import feature_of, plan_of
+from memorymaze.sites.plan import feature_of, site_plan
 from memorymaze.sites.records import PlanPart, Site
 
 Attributes = Mapping[str, object]
@@ -93,7 +93,7 @@ def site_file_stem(site: Site) -> str:
 def plan_members(site: Site) -> Attributes:
     """Return what a plan says beside features that have a place: members, routes."""
     routes = [_attributes(route) for route in site.routes]
-    plan = {**plan_of(site), "features": None, "type": None}
+    plan = {**site_plan(site), "features": None, "type": None}
     return _without_null({**plan, "routes": routes or None})
 
 

@@ -27,7 +27,7 @@ from memorymaze.importing.imported import (
     ImportNotes,
     LocalFrame,
     chosen_floor,
-    site_of,
+    imported_building,
 )
 from memorymaze.importing.placing import place_found
 from memorymaze.importing.ways import plan_floor
@@ -141,7 +141,9 @@ def import_cabot(path: Path, floor: str | None = None) -> ImportedSite:
     )
     title = max(buildings, key=lambda each: buildings[each], default=None)
     parts = [*planned.parts, *placed]
-    return notes.imported(site_of(path, title, floors[level], frame.anchor, parts))
+    return notes.imported(
+        imported_building(path, title, floors[level], frame.anchor, parts)
+    )
 
 
 def _nodes(

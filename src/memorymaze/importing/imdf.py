@@ -24,7 +24,7 @@ from memorymaze.importing.imported import (
     ImportNotes,
     LocalFrame,
     chosen_floor,
-    site_of,
+    imported_building,
 )
 from memorymaze.importing.outlines import Outlines, plan_outlines
 from memorymaze.importing.shapes import polygons
@@ -127,7 +127,9 @@ def import_imdf(path: Path, floor: str | None = None) -> ImportedSite:
     except ImportFileError as error:
         raise ImportFileError(f"{path}: level {floors[chosen]}: {error}") from None
     title = next(filter(None, (venue.text("name") for venue in files["venue"])), None)
-    return notes.imported(site_of(path, title, floors[chosen], frame.anchor, parts))
+    return notes.imported(
+        imported_building(path, title, floors[chosen], frame.anchor, parts)
+    )
 
 
 def _files(path: Path, notes: ImportNotes) -> dict[str, list[SourceFeature]]:

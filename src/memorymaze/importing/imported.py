@@ -194,7 +194,7 @@ def chosen_floor(floors: Mapping[_Key, str], asked: str | None, source: str) -> 
     )
 
 
-def site_of(
+def imported_building(
     path: Path,
     title: str | None,
     floor: str,

@@ -15,7 +15,7 @@ from memorymaze.importing.imported import (
     CentreLine,
     ImportedSite,
     ImportNotes,
-    site_of,
+    imported_building,
 )
 from memorymaze.importing.obstacles import boxes_on, without_obstacles
 from memorymaze.importing.ways import plan_floor
@@ -78,7 +78,7 @@ def import_mesh(path: Path) -> ImportedSite:
     header = understand_plan({
         **said, "type": "FeatureCollection", "anchor": said.get("anchor")
     }).header  # fmt: skip
-    site = site_of(
+    site = imported_building(
         path,
         header and header.title,
         header.floor if header else "ground floor",

@@ -25,7 +25,7 @@ from memorymaze.importing.imported import (
     ImportNotes,
     LocalFrame,
     chosen_floor,
-    site_of,
+    imported_building,
 )
 from memorymaze.importing.osm_elements import Element, read_elements
 from memorymaze.importing.outlines import Outlines, plan_outlines
@@ -127,7 +127,9 @@ def import_osm(path: Path, floor: str | None = None) -> ImportedSite:
         None,
     )
     anchor = building.frame.anchor
-    return notes.imported(site_of(path, title, f"level {names[chosen]}", anchor, parts))
+    return notes.imported(
+        imported_building(path, title, f"level {names[chosen]}", anchor, parts)
+    )
 
 
 def _is_indoor(element: Element) -> bool:

@@ -12,7 +12,7 @@ from memorymaze.importing.imported import (
     CEILING,
     ImportedSite,
     ImportNotes,
-    site_of,
+    imported_building,
 )
 from memorymaze.importing.obstacles import (
     OBSTACLE_HEIGHT,
@@ -88,7 +88,7 @@ def import_ros_map(
         notes.missing.append(_gaps_told(space.gaps))
     notes.missing.append("rooms, doors, names, things, routes: add them by hand")
     parts = [*planned.parts, *obstacles]
-    return notes.imported(site_of(path, None, "ground floor", None, parts))
+    return notes.imported(imported_building(path, None, "ground floor", None, parts))
 
 
 def _gaps_told(gaps: tuple[LineString, ...]) -> str:

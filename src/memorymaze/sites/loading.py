@@ -12,7 +12,7 @@ from memorymaze.errors import SettingsError, SitePlanError, did_you_mean
 from memorymaze.sites import plan_models as models
 from memorymaze.sites import records
 from memorymaze.sites.loading_rules import loading_findings
-from memorymaze.sites.plan import KINDS, heading_of
+from memorymaze.sites.plan import heading_of
 from memorymaze.sites.problems import SiteProblem
 from memorymaze.sites.reading import PlanContent, read_plan, understand_plan
 from memorymaze.sites.shape_rules import shape_problem
@@ -161,7 +161,7 @@ def site_from_content(
     for feature in content.features:
         part = _part_or_problem(feature)
         if isinstance(part, SiteProblem):
-            broken[feature.id] = models.kind_of(feature)
+            broken[feature.id] = models.feature_kind(feature)
             findings.append(part)
         else:
             made.append(part)
@@ -220,7 +220,7 @@ def _part_or_problem(feature: models.FeatureModel) -> records.PlanPart | SitePro
     told = told_in(feature.properties)
     if isinstance(feature, models.RouteFeature) and told["length"] is None:
         told["length"] = shape.length
-    kind: Callable[..., records.PlanPart] = _RECORDS[models.kind_of(feature)]
+    kind: Callable[..., records.PlanPart] = _RECORDS[models.feature_kind(feature)]
     part = kind(feature.id, shape, **told, more=_more(feature.properties, "kind"))
     return shape_problem(part) or part
 
@@ -262,4 +262,4 @@ _WITHIN: dict[str, Callable[..., object]] = {
     "exits": records.Exit,
     "turns": records.RouteTurn,
 }
-_RECORDS = {kind: record for record, kind in KINDS.items()}
+_RECORDS = {record.kind: record for record in records.PART_KINDS}

@@ -4,7 +4,7 @@ import json
 import math
 from collections.abc import Iterator
 from dataclasses import fields, is_dataclass, replace
-from typing import Any, TypeVar, cast
+from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 import numpy as np
 import shapely
@@ -14,27 +14,21 @@ from shapely.geometry.base import BaseGeometry
 
 from memorymaze.geometry.points import FloatArray
 from memorymaze.geometry.pose import wrap_angle
-from memorymaze.sites import records
+
+if TYPE_CHECKING:
+    from memorymaze.sites.records import PlanPart, Site
 
 Feature = dict[str, Any]
 """A feature of a plan as JSON has it."""
 _Written = TypeVar("_Written")
 
-KINDS: dict[type[records.PlanPart], str] = {
-    records.Corridor: "corridor",
-    records.Area: "area",
-    records.TurningPoint: "turning_point",
-    records.Room: "room",
-    records.Door: "door",
-    records.Landmark: "landmark",
-    records.Route: "route",
-}
-"""What a plan calls each kind of part."""
+HEADINGS = ("heading", "start_heading")
+"""Members of records that plans have in degrees."""
 FINEST_DIGITS = 15
 """Digits behind the point of degrees that are looked through."""
 
 
-def plan_of(site: records.Site) -> dict[str, Any]:
+def site_plan(site: "Site") -> dict[str, Any]:
     """Return the plan of a building, which is read as the same building."""
     anchor = site.anchor
     return {
@@ -55,9 +49,9 @@ def plan_of(site: records.Site) -> dict[str, Any]:
     }
 
 
-def plan_bytes(site: records.Site) -> bytes:
+def plan_bytes(site: "Site") -> bytes:
     """Return the plan of a building as a GeoJSON file."""
-    return written_plan(plan_of(site))
+    return written_plan(site_plan(site))
 
 
 def written_plan(plan: dict[str, Any]) -> bytes:
@@ -73,7 +67,7 @@ def written_plan(plan: dict[str, Any]) -> bytes:
     )
 
 
-def feature_of(part: records.PlanPart) -> Feature:
+def feature_of(part: "PlanPart") -> Feature:
     """Return a part of a building as a feature of its plan."""
     shape = next(
         value for _, value in _fields_of(part) if isinstance(value, BaseGeometry)
@@ -82,7 +76,7 @@ def feature_of(part: records.PlanPart) -> Feature:
         "type": "Feature",
         "id": part.id,
         "geometry": _geometry(shape),
-        "properties": {"kind": KINDS[type(part)], **_members(part), **part.more},
+        "properties": {"kind": part.kind, **_members(part), **part.more},
     }
 
 
@@ -96,13 +90,12 @@ def in_millimetres(written: _Written) -> _Written:
     for name, value in _fields_of(written):
         if isinstance(value, BaseGeometry):
             changed[name] = shapely.transform(value, _whole_millimetres)
-        elif name in ("heading", "start_heading"):
+        elif name == "length":
+            changed[name] = round(cast(LineString, changed["line"]).length, 3)
+        elif name in HEADINGS:
             changed[name] = heading_of(rounded_degrees(value))
         elif isinstance(value, tuple) and value and is_dataclass(value[0]):
             changed[name] = tuple(map(in_millimetres, cast(tuple[Any, ...], value)))
-    if isinstance(written, records.Route):
-        line = cast(LineString, changed["line"])
-        changed["length"] = round(line.length, 3)
     return replace(cast(Any, written), **changed)
 
 
@@ -117,7 +110,7 @@ def heading_of(degrees: float) -> float:
 
 
 def degrees_of(heading: float) -> float:
-    """Return the shortest degrees that are read as a heading, in [0, 360) if any are."""
+    """Return the shortest degrees that are read as a heading, in [0, 360) where any are."""
     turned = math.degrees(heading)
     for digits in range(2, FINEST_DIGITS):
         for written in (round(turned % 360, digits) % 360, round(turned, digits)):
@@ -137,7 +130,7 @@ def _members(record: object) -> dict[str, object]:
     for name, value in _fields_of(record):
         if name in ("id", "more") or isinstance(value, BaseGeometry):
             continue
-        if name in ("heading", "start_heading"):
+        if name in HEADINGS:
             told[f"{name}_deg"] = degrees_of(value)
         elif name == "length":
             told["length_m"] = value

@@ -217,7 +217,7 @@ FEATURE_MODELS: dict[str, type[FeatureModel]] = {
 }
 
 
-def kind_of(feature: FeatureModel) -> str:
+def feature_kind(feature: FeatureModel) -> str:
     """Return what a plan calls a feature."""
     return _KINDS[type(feature)]
 

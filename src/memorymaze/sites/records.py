@@ -9,7 +9,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import Any, Literal, cast
+from typing import Any, ClassVar, Literal, cast
 
 from shapely import LineString, MultiPolygon, Point, Polygon, box, union_all
 from shapely.affinity import affine_transform
@@ -17,6 +17,7 @@ from shapely.affinity import affine_transform
 from memorymaze.durable_files import write_whole
 from memorymaze.errors import SettingsError, SitePlanError, did_you_mean
 from memorymaze.geometry.pose import Pose
+from memorymaze.sites.plan import plan_bytes
 
 Mount = Literal["floor", "wall", "ceiling"]
 
@@ -42,6 +43,8 @@ class Anchor:
 class PlanPart:
     """What every feature of a plan is."""
 
+    kind: ClassVar[str]
+    """As plans have it."""
     id: str
     more: Mapping[str, object] = field(
         default_factory=dict[str, object], kw_only=True, compare=False, repr=False
@@ -53,6 +56,7 @@ class PlanPart:
 class Corridor(PlanPart):
     """A straight, convex, four-cornered piece of floor; its long direction is its way."""
 
+    kind = "corridor"
     polygon: Polygon
     name: str | None
     """What people call it."""
@@ -79,6 +83,7 @@ class Corridor(PlanPart):
 class Area(PlanPart):
     """Open floor of any shape; holes are blocks one walks around."""
 
+    kind = "area"
     polygon: Polygon
     name: str | None
     floor_material: str
@@ -100,6 +105,7 @@ class Exit:
 class TurningPoint(PlanPart):
     """A convex part of the floor where a walker can change corridor."""
 
+    kind = "turning_point"
     polygon: Polygon
     name: str | None
     shape: str
@@ -112,6 +118,7 @@ class TurningPoint(PlanPart):
 class Room(PlanPart):
     """A space beside the walkable floor; not entered."""
 
+    kind = "room"
     polygon: Polygon
     name: str
     use: str
@@ -121,6 +128,7 @@ class Room(PlanPart):
 class Door(PlanPart):
     """A door on the boundary of the walkable floor."""
 
+    kind = "door"
     line: LineString
     """Its two ends, (2, 2) metres."""
     room: str | None
@@ -136,6 +144,7 @@ class Door(PlanPart):
 class Landmark(PlanPart):
     """A thing that people mention or that stands in the way."""
 
+    kind = "landmark"
     position: Point
     """Centre of its footprint."""
     category: str
@@ -173,6 +182,7 @@ class RouteTurn:
 class Route(PlanPart):
     """A walk from a start to a destination along its middle line."""
 
+    kind = "route"
     line: LineString
     route: str
     """`R1`, `R2`, …"""
@@ -198,19 +208,13 @@ class Route(PlanPart):
 def parts_by_kind(parts: Iterable[PlanPart]) -> dict[str, Any]:
     """Return the parts of a plan in their order, by the names that a site has for them."""
     parts = tuple(parts)
-    kinds = {
-        "corridors": Corridor,
-        "areas": Area,
-        "turning_points": TurningPoint,
-        "rooms": Room,
-        "doors": Door,
-        "landmarks": Landmark,
-        "routes": Route,
-    }
     return {
-        name: tuple(part for part in parts if isinstance(part, kind))
-        for name, kind in kinds.items()
+        f"{kind.kind}s": tuple(part for part in parts if isinstance(part, kind))
+        for kind in PART_KINDS
     }
+
+
+PART_KINDS = (Corridor, Area, TurningPoint, Room, Door, Landmark, Route)
 
 
 @dataclass(frozen=True)
@@ -282,29 +286,12 @@ class Site:
         Raises:
             SettingsError: The file cannot be written.
         """
-        # Below: `plan` is made of these records.
-        from memorymaze.sites.plan import plan_bytes
-
         try:
             write_whole(Path(path), plan_bytes(self))
         except OSError as error:
             raise SettingsError(
                 f"{path}: cannot be written ({error.strerror or error})"
             ) from None
-
-    def route(self, route_id: str) -> Route:
-        """Return the route feature with this id, such as `route_r1_reference`.
-
-        Raises:
-            KeyError: There is none; the message lists those there are.
-        """
-        for route in self.routes:
-            if route.id == route_id:
-                return route
-        known = ", ".join(route.id for route in self.routes) or "none at all"
-        raise KeyError(
-            f"site {self.name} has no route {route_id!r}; there are: {known}"
-        )
 
     def find_route(self, name: str) -> Route:
         """Return a route by its name (`R1`: the reference route) or its id.
@@ -333,21 +320,6 @@ class Site:
         """Return the ways of the route called `R1`, `R2`, …, the reference first."""
         ways = [each for each in self.routes if each.route == route]
         return sorted(ways, key=lambda each: each.role != "reference")
-
-    def reference_route(self, route: str) -> Route:
-        """Return the reference route called `R1`, `R2`, ….
-
-        Raises:
-            KeyError: There is none; the message lists those there are.
-        """
-        references = [each for each in self.routes if each.role == "reference"]
-        for reference in references:
-            if reference.route == route:
-                return reference
-        known = ", ".join(each.route for each in references) or "none at all"
-        raise KeyError(
-            f"site {self.name} has no reference route {route!r}; there are: {known}"
-        )
 
 
 def rectangle(

@@ -40,7 +40,7 @@ def test_the_plan_of_a_maze_keeps_the_format(
 
 
 def test_rows_that_grow_south_become_northing(site: Site) -> None:
-    route = site.reference_route("1-2")
+    route = site.find_route("1-2")
     corners = [tuple(point) for point in route.line.coords]
     assert corners == [(0, 2 * EDGE), (EDGE, 2 * EDGE), (EDGE, EDGE), (EDGE, 0)]
     assert [turn.direction for turn in route.turns] == ["right"]
