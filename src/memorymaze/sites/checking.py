@@ -182,7 +182,7 @@ def _benchmark_findings(site: Site) -> Iterator[SiteProblem]:
 
 def _findings_as_written(
     header: models.PlanHeader | None,
-    features: Sequence[models.FeatureModel],
+    features: Sequence[models.AnyFeature],
     path: Path,
 ) -> Iterator[SiteProblem]:
     """Find words, names and angles that are usable but not those of the format."""
@@ -229,14 +229,10 @@ def _word_findings(identity: str, said: object) -> Iterator[SiteProblem]:
             )
 
 
-def _headings(feature: models.FeatureModel) -> Iterator[tuple[str, float]]:
-    match feature:
-        case models.TurningPointFeature():
-            for way in feature.properties.exits:
-                yield "exits.heading_deg", way.heading_deg
-        case models.LandmarkFeature():
-            yield "heading_deg", feature.properties.heading_deg
-        case models.RouteFeature():
-            yield "start_heading_deg", feature.properties.start_heading_deg
-        case _:
-            return
+def _headings(feature: models.AnyFeature) -> Iterator[tuple[str, float]]:
+    said = vars(feature.properties)
+    for way in said.get("exits", ()):
+        yield "exits.heading_deg", way.heading_deg
+    for member in ("heading_deg", "start_heading_deg"):
+        if member in said:
+            yield member, said[member]

@@ -161,19 +161,16 @@ def site_from_content(
     for feature in content.features:
         part = _part_or_problem(feature)
         if isinstance(part, SiteProblem):
-            broken[feature.id] = models.feature_kind(feature)
+            broken[feature.id] = _more(feature.properties)["kind"]
             findings.append(part)
         else:
             made.append(part)
     if header is None:
         return None, broken, findings
-    members = {name: v for name, v in told_in(header).items() if name != "type"}
-    site = records.Site(
-        **members,
-        **records.parts_by_kind(made),
-        more=_more(header, "features"),
-        source=source,
-    )
+    told, more = told_in(header), _more(header)
+    del told["type"]
+    more.pop("features", None)
+    site = records.Site(**told, **records.parts_by_kind(made), more=more, source=source)
     return site, broken, findings
 
 
@@ -204,7 +201,7 @@ def told_in(said: BaseModel) -> dict[str, Any]:
     return told
 
 
-def _part_or_problem(feature: models.FeatureModel) -> records.PlanPart | SiteProblem:
+def _part_or_problem(feature: models.AnyFeature) -> records.PlanPart | SiteProblem:
     geometry = feature.geometry
     if isinstance(geometry, models.PolygonGeometry):
         for number, ring in enumerate(geometry.coordinates):
@@ -217,11 +214,10 @@ def _part_or_problem(feature: models.FeatureModel) -> records.PlanPart | SitePro
         shape = Point(_points([geometry.coordinates]))
     else:
         shape = LineString(_points(geometry.coordinates))
-    told = told_in(feature.properties)
-    if isinstance(feature, models.RouteFeature) and told["length"] is None:
+    told, more = told_in(feature.properties), _more(feature.properties)
+    if told.get("length", shape) is None:
         told["length"] = shape.length
-    kind: Callable[..., records.PlanPart] = _RECORDS[models.feature_kind(feature)]
-    part = kind(feature.id, shape, **told, more=_more(feature.properties, "kind"))
+    part = _RECORDS[more.pop("kind")](feature.id, shape, **told, more=more)
     return shape_problem(part) or part
 
 
@@ -251,10 +247,9 @@ def _points(positions: Sequence[Sequence[float]]) -> list[tuple[float, float]]:
     return [(position[0], position[1]) for position in positions]
 
 
-def _more(members: BaseModel, but: str) -> dict[str, object]:
-    """Return the members that nobody reads."""
-    told = members.model_extra or {}
-    return {name: value for name, value in told.items() if name != but}
+def _more(members: BaseModel) -> dict[str, Any]:
+    """Return the members that no model reads."""
+    return dict(members.model_extra or {})
 
 
 _WITHIN: dict[str, Callable[..., object]] = {
@@ -262,4 +257,6 @@ _WITHIN: dict[str, Callable[..., object]] = {
     "exits": records.Exit,
     "turns": records.RouteTurn,
 }
-_RECORDS = {record.kind: record for record in records.PART_KINDS}
+_RECORDS: dict[str, Callable[..., records.PlanPart]] = {
+    record.kind: record for record in records.PART_KINDS
+}

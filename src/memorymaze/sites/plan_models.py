@@ -4,7 +4,7 @@ They hold for one feature at a time. What features mean to each other is checked
 records made from them.
 """
 
-from typing import Annotated, Literal
+from typing import Annotated, Any, Generic, Literal, TypeVar
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field
 
@@ -21,6 +21,10 @@ Identity = Annotated[str, Field(pattern=r"^[^\p{C}]+$")]
 """Any text without control characters, so that a message about it is one line."""
 Degrees = Annotated[float, Field(ge=-360_000, le=360_000)]
 _Size = Annotated[float, Field(gt=0, le=1000)]
+
+
+_Geometry = TypeVar("_Geometry", bound=BaseModel)
+_Properties = TypeVar("_Properties", bound=BaseModel)
 
 
 class _Model(BaseModel):
@@ -79,11 +83,16 @@ class PointGeometry(_Model):
     coordinates: _Position
 
 
-class _FeatureModel(_Model):
-    """What every feature has."""
+class FeatureModel(_Model, Generic[_Geometry, _Properties]):
+    """A feature of a plan."""
 
     type: Literal["Feature"]
     id: Identity
+    geometry: _Geometry
+    properties: _Properties
+
+
+AnyFeature = FeatureModel[Any, Any]
 
 
 class _FloorProperties(_OpenModel):
@@ -92,22 +101,8 @@ class _FloorProperties(_OpenModel):
     wall_material: _Text
 
 
-class CorridorFeature(_FeatureModel):
-    """A corridor."""
-
-    geometry: PolygonGeometry
-    properties: _FloorProperties
-
-
 class _AreaProperties(_FloorProperties):
     open_air: bool
-
-
-class AreaFeature(_FeatureModel):
-    """An open area."""
-
-    geometry: PolygonGeometry
-    properties: _AreaProperties
 
 
 class _ExitModel(_Model):
@@ -121,23 +116,9 @@ class _TurningPointProperties(_OpenModel):
     exits: Annotated[list[_ExitModel], Field(min_length=1)]
 
 
-class TurningPointFeature(_FeatureModel):
-    """A turning point."""
-
-    geometry: PolygonGeometry
-    properties: _TurningPointProperties
-
-
 class _RoomProperties(_OpenModel):
     name: _AnyText
     use: _Text
-
-
-class RoomFeature(_FeatureModel):
-    """A room beside the floor."""
-
-    geometry: PolygonGeometry
-    properties: _RoomProperties
 
 
 class _DoorProperties(_OpenModel):
@@ -146,13 +127,6 @@ class _DoorProperties(_OpenModel):
     color: _Text
     label: _AnyText | None
     state: Literal["closed", "open"]
-
-
-class DoorFeature(_FeatureModel):
-    """A door."""
-
-    geometry: _SegmentGeometry
-    properties: _DoorProperties
 
 
 class _LandmarkProperties(_OpenModel):
@@ -164,13 +138,6 @@ class _LandmarkProperties(_OpenModel):
     size_m: Annotated[list[_Size], Field(min_length=3, max_length=3)]
     mount: Literal["floor", "wall", "ceiling"]
     obstacle: bool
-
-
-class LandmarkFeature(_FeatureModel):
-    """A thing on the floor, a wall or the ceiling."""
-
-    geometry: PointGeometry
-    properties: _LandmarkProperties
 
 
 class _TurnModel(_Model):
@@ -190,36 +157,12 @@ class _RouteProperties(_OpenModel):
     note: _AnyText
 
 
-class RouteFeature(_FeatureModel):
-    """A route."""
-
-    geometry: _LineGeometry
-    properties: _RouteProperties
-
-
-FeatureModel = (
-    CorridorFeature
-    | AreaFeature
-    | TurningPointFeature
-    | RoomFeature
-    | DoorFeature
-    | LandmarkFeature
-    | RouteFeature
-)
-FEATURE_MODELS: dict[str, type[FeatureModel]] = {
-    "corridor": CorridorFeature,
-    "area": AreaFeature,
-    "turning_point": TurningPointFeature,
-    "room": RoomFeature,
-    "door": DoorFeature,
-    "landmark": LandmarkFeature,
-    "route": RouteFeature,
+FEATURE_MODELS: dict[str, type[AnyFeature]] = {
+    "corridor": FeatureModel[PolygonGeometry, _FloorProperties],
+    "area": FeatureModel[PolygonGeometry, _AreaProperties],
+    "turning_point": FeatureModel[PolygonGeometry, _TurningPointProperties],
+    "room": FeatureModel[PolygonGeometry, _RoomProperties],
+    "door": FeatureModel[_SegmentGeometry, _DoorProperties],
+    "landmark": FeatureModel[PointGeometry, _LandmarkProperties],
+    "route": FeatureModel[_LineGeometry, _RouteProperties],
 }
-
-
-def feature_kind(feature: FeatureModel) -> str:
-    """Return what a plan calls a feature."""
-    return _KINDS[type(feature)]
-
-
-_KINDS = {model: kind for kind, model in FEATURE_MODELS.items()}
