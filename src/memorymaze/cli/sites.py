@@ -237,12 +237,12 @@ def _check(args: argparse.Namespace) -> int:
 
 def _without_a_look(path: Path, found: "list[SiteProblem]") -> "list[SiteProblem]":
     """Return a warning for each category of a sound plan that nothing looks like."""
-    from memorymaze.pictures.looks.catalogue import problems_of_looks
     from memorymaze.sites import load_site
+    from memorymaze.sites.things import problems_of_categories
 
     if any(problem.severity == "error" for problem in found):
         return []
-    return problems_of_looks(load_site(path))
+    return problems_of_categories(load_site(path))
 
 
 def _draw(args: argparse.Namespace) -> None:

@@ -14,7 +14,7 @@ from memorymaze.construction.layout import (
 )
 from memorymaze.construction.skeleton import IN_LINE, Skeleton, SkeletonLeg
 from memorymaze.geometry.points import XY
-from memorymaze.geometry.pose import heading_to, turn_between
+from memorymaze.geometry.pose import heading_to, moved, turn_between
 from memorymaze.sites.exits import FloorShapes, exits_into_the_open, shape_of
 from memorymaze.sites.records import Exit, TurningPoint, floor_pieces
 
@@ -177,13 +177,13 @@ def _strip(
     place: XY, heading: float, start: float, end: float, leg: SkeletonLeg
 ) -> Polygon:
     """Return a rectangle across a leg's whole width, metres along it."""
-    near, far = _moved(place, heading, start), _moved(place, heading, end)
+    near, far = moved(place, heading, start), moved(place, heading, end)
     side = leg.width / 2
     return Polygon([
-        _moved(near, heading - math.pi / 2, side),
-        _moved(far, heading - math.pi / 2, side),
-        _moved(far, heading + math.pi / 2, side),
-        _moved(near, heading + math.pi / 2, side),
+        moved(near, heading - math.pi / 2, side),
+        moved(far, heading - math.pi / 2, side),
+        moved(far, heading + math.pi / 2, side),
+        moved(near, heading + math.pi / 2, side),
     ])
 
 
@@ -193,8 +193,8 @@ def _corner(place: XY, leg: SkeletonLeg, other: SkeletonLeg) -> Polygon:
     turn = math.pi - abs(between)
     outward = leg.heading + between / 2 + math.pi
     side = leg.width / 2
-    outer = _moved(place, outward, side / math.cos(turn / 2))
-    inner = _moved(place, outward, -side / math.cos(turn / 2))
+    outer = moved(place, outward, side / math.cos(turn / 2))
+    inner = moved(place, outward, -side / math.cos(turn / 2))
     reach = side * math.tan(turn / 2)
     corners = [outer]
     for each, sign in ((leg, -1.0), (other, 1.0)):
@@ -202,11 +202,11 @@ def _corner(place: XY, leg: SkeletonLeg, other: SkeletonLeg) -> Polygon:
         if turn > SHARPEST_MITRE:
             # The outer wall of one piece up to where the other's inner wall meets it.
             along = (side + side * math.cos(turn)) / math.sin(turn)
-            corners += [_moved(_moved(place, each.heading, along), wall, side), inner]
+            corners += [moved(moved(place, each.heading, along), wall, side), inner]
             continue
-        cut = _moved(place, each.heading, reach + 1.2)
+        cut = moved(place, each.heading, reach + 1.2)
         depth = _depth_to_line(cut, wall, inner, outward)
-        corners += [_moved(cut, wall, side), _moved(cut, wall, max(depth, -side))]
+        corners += [moved(cut, wall, side), moved(cut, wall, max(depth, -side))]
     return cast(Polygon, MultiPoint(corners).convex_hull)
 
 
@@ -229,8 +229,8 @@ def _street_pieces(street: Street) -> Iterator[tuple[XY, XY, XY, XY]]:
         across = before + bend / 2 + math.pi / 2
         reach = street.width / 2 / math.cos(bend / 2)
         return (
-            _moved(points[vertex], across, -reach),
-            _moved(points[vertex], across, reach),
+            moved(points[vertex], across, -reach),
+            moved(points[vertex], across, reach),
         )
 
     for piece in range(pieces):
@@ -241,10 +241,3 @@ def _street_pieces(street: Street) -> Iterator[tuple[XY, XY, XY, XY]]:
         right, left = edge(piece, before, here)
         far_right, far_left = edge(piece + 1, here, after)
         yield right, far_right, far_left, left
-
-
-def _moved(place: XY, heading: float, distance: float) -> XY:
-    return (
-        place[0] + distance * math.cos(heading),
-        place[1] + distance * math.sin(heading),
-    )

@@ -10,17 +10,13 @@ from memorymaze.construction.recipes import BUILDING_KINDS, RECIPES, BuildingKin
 from memorymaze.construction.rooms import MadeDoor, RoomPlanner
 from memorymaze.construction.skeleton import Skeleton
 from memorymaze.construction.things import Furnisher
-from memorymaze.construction.vocabulary import (
-    Special,
-    Vocabulary,
-    furnishings,
-    vocabulary,
-)
+from memorymaze.construction.vocabulary import Special, Vocabulary, vocabulary
 from memorymaze.construction.walls import MadeWall, end_wall, walls_of
 from memorymaze.construction.ways import Ways
 from memorymaze.errors import SettingsError, did_you_mean
 from memorymaze.sites.checking import made_site_problems
 from memorymaze.sites.records import Site
+from memorymaze.sites.things import door_kinds
 
 MOST_TRIES = 60
 """Floors drawn for one building before giving up."""
@@ -88,14 +84,8 @@ def _drawn(name: str, kind: BuildingKind, rng: np.random.Generator) -> Site:
     furnisher = Furnisher(floor, words, rooms, rng)
     furnisher.label_doors(rooms)
     for wall in exits:
-        furnisher.hang(
-            "exit sign",
-            wall.at(wall.length / 2, 0.8),
-            wall.facing,
-            (0.4, 0.06, 0.2),
-            "green",
-            "EXIT",
-        )
+        hung = wall.at(wall.length / 2, 0.8)
+        furnisher.hang("exit sign", hung, wall.facing, "EXIT")
     ways = Ways(floor, rooms)
     ways.hang_signs(furnisher, rng)
     for number in range(len(floor.halls)):
@@ -170,7 +160,7 @@ def _close_ends(
 def _door_in(
     wall: MadeWall, kind: str, label: str, rng: np.random.Generator
 ) -> MadeDoor:
-    door = furnishings().doors[kind]
+    door = door_kinds()[kind]
     half = min(door.width, wall.length - 0.3) / 2
     middle = wall.length / 2
     wall.take(middle - half - 0.1, middle + half + 0.1)

@@ -9,15 +9,11 @@ from shapely import MultiLineString, Point, Polygon, STRtree
 
 from memorymaze.construction.floor import MadeFloor
 from memorymaze.construction.rooms import MadeRoom
-from memorymaze.construction.vocabulary import (
-    LandmarkKind,
-    Program,
-    Vocabulary,
-    furnishings,
-)
+from memorymaze.construction.vocabulary import Program, Vocabulary
 from memorymaze.construction.walls import MadeWall
 from memorymaze.geometry.points import XY
 from memorymaze.sites.records import Landmark
+from memorymaze.sites.things import ThingKind, thing_kinds
 
 FROM_MIDDLE_LINES = 0.65
 """Metres kept free on both sides of every way."""
@@ -63,19 +59,13 @@ class Furnisher:
         """Put things along a wall, as many as its program says."""
         program = self._words.programs[wall.program]
         for _ in range(self._rng.poisson(program.density * wall.length / 10)):
-            category = self._draw(program)
-            kind = furnishings().things[category]
+            kind = thing_kinds()[self._draw(program)]
             for along in self._rng.uniform(0.0, wall.length, 3):
-                if self.put_at_wall(category, kind, wall, float(along)):
+                if self.put_at_wall(kind, wall, float(along)):
                     break
 
     def put_at_wall(
-        self,
-        category: str,
-        kind: LandmarkKind,
-        wall: MadeWall,
-        along: float,
-        text: str | None = None,
+        self, kind: ThingKind, wall: MadeWall, along: float, text: str | None = None
     ) -> bool:
         """Put a thing at a wall where there is room; tell whether there was."""
         length, depth, _ = kind.size
@@ -83,9 +73,9 @@ class Furnisher:
         if not wall.is_free(start, end):
             return False
         thing = self._made(
-            category, kind, wall.at(along, depth / 2 + OFF_WALL), wall.facing, text
+            kind, wall.at(along, depth / 2 + OFF_WALL), wall.facing, text
         )
-        if category == "window" and len(
+        if kind.name == "window" and len(
             self._behind.query(wall.strip(start, end, -0.2, -1.5), "intersects")
         ):
             return False
@@ -106,15 +96,15 @@ class Furnisher:
         edge = hall.polygon.exterior.coords
         along = math.atan2(edge[1][1] - edge[0][1], edge[1][0] - edge[0][0])
         wanted = int(inside.area / FLOOR_PER_PIECE)
-        for category in self._rng.choice(program.furniture, wanted):
-            kind = furnishings().things[str(category)]
+        for name in self._rng.choice(program.furniture, wanted):
+            kind = thing_kinds()[str(name)]
             for _ in range(6):
                 place = (
                     float(self._rng.uniform(west, east)),
                     float(self._rng.uniform(south, north)),
                 )
                 heading = along + float(self._rng.integers(4)) * math.pi / 2
-                thing = self._made(str(category), kind, place, heading, None)
+                thing = self._made(kind, place, heading, None)
                 footprint = thing.footprint
                 if not inside.contains(footprint):
                     continue
@@ -124,27 +114,19 @@ class Furnisher:
 
     def label_doors(self, rooms: Iterable[MadeRoom]) -> None:
         """Put numbers and names beside doors."""
-        number = LandmarkKind(
-            size=(0.2, 0.02, 0.15), mount="wall", colors=("white", "silver")
-        )
-        restroom = LandmarkKind(
-            size=(0.4, 0.05, 0.4), mount="wall", colors=("blue", "red")
-        )
+        number = thing_kinds()["room number sign"]
+        restroom = thing_kinds()["restroom sign"]
         for room in rooms:
             if not room.doors:
                 continue
             door = room.doors[0]
             for along in (door.end + 0.32, door.start - 0.32):
                 if room.sign is not None:
-                    put = self.put_at_wall(
-                        "restroom sign", restroom, room.wall, along, room.sign
-                    )
+                    put = self.put_at_wall(restroom, room.wall, along, room.sign)
                 elif room.number is not None:
                     if self._rng.random() > NUMBER_SIGNS:
                         break
-                    put = self.put_at_wall(
-                        "room number sign", number, room.wall, along, room.number
-                    )
+                    put = self.put_at_wall(number, room.wall, along, room.number)
                 else:
                     break
                 if put:
@@ -153,31 +135,19 @@ class Furnisher:
                 self._name_beside(room)
 
     def _name_beside(self, room: MadeRoom) -> None:
-        kind = LandmarkKind(
-            size=(1.2, 0.06, 0.4),
-            mount="wall",
-            colors=("blue", "white", "green", "dark blue"),
-        )
         for along in (
             room.doors[-1].end + 0.85,
             room.doors[0].start - 0.85,
             room.doors[0].end + 1.2,
         ):
-            if self.put_at_wall("sign", kind, room.wall, along, room.name):
+            if self.put_at_wall(thing_kinds()["sign"], room.wall, along, room.name):
                 return
 
-    def hang(
-        self,
-        category: str,
-        place: XY,
-        heading: float,
-        size: tuple[float, float, float],
-        color: str,
-        text: str,
-    ) -> None:
-        """Hang a sign from the ceiling."""
-        kind = LandmarkKind(size=size, mount="ceiling", colors=(color,))
-        self._keep(_landmark(category, kind, place, heading, color, text), None)
+    def hang(self, name: str, place: XY, heading: float, text: str) -> None:
+        """Hang a kind of sign from the ceiling."""
+        kind = thing_kinds()[name]
+        sign = _landmark(kind, place, heading, kind.colors[0], text)
+        self._keep(replace(sign, obstacle=False), None)
 
     def _draw(self, program: Program) -> str:
         weights = np.array(list(program.things.values()))
@@ -186,18 +156,13 @@ class Furnisher:
         ]
 
     def _made(
-        self,
-        category: str,
-        kind: LandmarkKind,
-        place: XY,
-        heading: float,
-        text: str | None,
+        self, kind: ThingKind, place: XY, heading: float, text: str | None
     ) -> Landmark:
-        texts = self._words.texts.get(category, kind.texts)
+        texts = self._words.texts.get(kind.name, kind.texts)
         color = kind.colors[self._rng.integers(len(kind.colors))]
         if text is None and texts and self._rng.random() < PRINTED:
             text = texts[self._rng.integers(len(texts))]
-        return _landmark(category, kind, place, heading, color, text)
+        return _landmark(kind, place, heading, color, text)
 
     def _is_free(self, footprint: Polygon, wall: MadeWall | None) -> bool:
         if footprint.distance(self._ways) < FROM_MIDDLE_LINES:
@@ -218,18 +183,13 @@ class Furnisher:
 
 
 def _landmark(
-    category: str,
-    kind: LandmarkKind,
-    place: XY,
-    heading: float,
-    color: str,
-    text: str | None,
+    kind: ThingKind, place: XY, heading: float, color: str, text: str | None
 ) -> Landmark:
     """Return a thing that has no id yet."""
     return Landmark(
         "",
         Point(place),
-        category,
+        kind.name,
         color,
         None,
         text,

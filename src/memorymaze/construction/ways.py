@@ -17,7 +17,7 @@ from memorymaze.construction.rooms import MadeDoor, MadeRoom
 from memorymaze.construction.skeleton import IN_LINE, SkeletonLeg
 from memorymaze.construction.things import Furnisher
 from memorymaze.geometry.points import XY
-from memorymaze.geometry.pose import heading_to, turn_between
+from memorymaze.geometry.pose import heading_to, moved, turn_between
 from memorymaze.sites.records import RouteTurn
 
 AHEAD = math.radians(40)
@@ -186,18 +186,8 @@ class Ways:
                     + (y - place[1]) * math.sin(leg.heading)
                     for x, y in point.polygon.exterior.coords
                 )
-                hung = (
-                    place[0] + (reach + 0.5) * math.cos(leg.heading),
-                    place[1] + (reach + 0.5) * math.sin(leg.heading),
-                )
-                furnisher.hang(
-                    "hanging sign",
-                    hung,
-                    leg.heading,
-                    (1.8, 0.08, 0.4),
-                    "dark blue",
-                    text,
-                )
+                hung = moved(place, leg.heading, reach + 0.5)
+                furnisher.hang("hanging sign", hung, leg.heading, text)
 
     def _pointing(self, node: int, came_by: SkeletonLeg) -> str | None:
         """Return what a sign says to who comes by a leg."""
@@ -299,11 +289,7 @@ class Ways:
 
     def _way(self, nodes: Sequence[int], goal: Destination) -> MadeWay:
         places = [self._skeleton.places[node] for node in nodes[:-1]] + [goal.place]
-        first = heading_to(places[0], places[1])
-        places[0] = (
-            places[0][0] + START_INSIDE * math.cos(first),
-            places[0][1] + START_INSIDE * math.sin(first),
-        )
+        places[0] = moved(places[0], heading_to(*places[:2]), START_INSIDE)
         kept = [places[0]]
         turns: list[RouteTurn] = []
         for index in range(1, len(places) - 1):

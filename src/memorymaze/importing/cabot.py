@@ -15,6 +15,7 @@ from shapely import LineString, Point
 
 from memorymaze.errors import ImportFileError
 from memorymaze.geometry.points import XY
+from memorymaze.geometry.pose import Pose
 from memorymaze.importing.found import FoundDoor, FoundThing
 from memorymaze.importing.geojson_features import (
     SourceFeature,
@@ -32,7 +33,7 @@ from memorymaze.importing.imported import (
 from memorymaze.importing.placing import place_found
 from memorymaze.importing.ways import plan_floor
 from memorymaze.input_files import parse_json, read_text
-from memorymaze.pictures.looks.catalogue import archetype_of
+from memorymaze.sites.things import kind_of_thing
 from memorymaze.wording import counted
 
 ROAD_WIDTH = 1.5
@@ -81,11 +82,7 @@ class _PointOfInterest:
     def moved(self, ahead: float, left: float) -> XY:
         """Return a place seen from this one, whose heading is clockwise from north."""
         heading = math.radians(90 - (self.feature.number("hulop_heading") or 0.0))
-        cosine, sine = math.cos(heading), math.sin(heading)
-        return (
-            self.place[0] + ahead * cosine - left * sine,
-            self.place[1] + ahead * sine + left * cosine,
-        )
+        return Pose(*self.place, heading).at(ahead, left)
 
 
 def import_cabot(path: Path, floor: str | None = None) -> ImportedSite:
@@ -325,7 +322,7 @@ def _things(
         name = point.feature.text(*NAMES)
         if point.category in (DOOR, CAB):
             continue
-        if name and archetype_of(name.lower()) is not None:
+        if name and kind_of_thing(name.lower()) is not None:
             yield FoundThing(point.feature.id, point.place, name.lower())
         elif point.category == "_nav_obstacle_":
             notes.guess(

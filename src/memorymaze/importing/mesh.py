@@ -1,26 +1,18 @@
 """A mesh of one floor: level faces to floor, what stands on it to walls, names to things."""
 
-from collections.abc import Sequence
-from dataclasses import replace
 from pathlib import Path
-
-import shapely
-from shapely import LineString, MultiPoint
 
 from memorymaze.errors import ImportFileError
 from memorymaze.extras import require_extra
 from memorymaze.importing.centre_lines import centre_lines
 from memorymaze.importing.imported import (
     CEILING,
-    CentreLine,
     ImportedSite,
     ImportNotes,
     imported_building,
 )
 from memorymaze.importing.obstacles import boxes_on, without_obstacles
 from memorymaze.importing.ways import plan_floor
-from memorymaze.sites.loading import told_in
-from memorymaze.sites.reading import understand_plan
 from memorymaze.wording import counted
 
 BIT = 0.02
@@ -48,13 +40,7 @@ def import_mesh(path: Path) -> ImportedSite:
         raise ImportFileError(f"{path}: {error}") from None
     notes = ImportNotes(guessed=guessed)
     floor, standing = without_obstacles(found.polygon)
-    named = [
-        (str(piece.extras["name"]), MultiPoint(piece.vertices[:, :2]).convex_hull)
-        for piece in kinds["building"]
-        if piece.extras.get("kind") == "corridor" and "name" in piece.extras
-    ]
-    lines = [_named(line, named) for line in centre_lines(floor)]
-    planned = plan_floor(lines, notes, floor)
+    planned = plan_floor(centre_lines(floor), notes, floor)
     parts = parts_on(planned.polygon, found.height, kinds, notes)
     boxes = list(
         boxes_on(planned.polygon, [each for each in standing if each.area >= BIT])
@@ -72,29 +58,7 @@ def import_mesh(path: Path) -> ImportedSite:
             f"{found.left_out:.0f} m² of other floor, behind walls or doors"
         )
     notes.missing.append("routes, and all names that the file's nodes do not have")
-    said = next(
-        (each.extras for each in pieces if "ceiling_height_m" in each.extras), {}
-    )
-    header = understand_plan({
-        **said, "type": "FeatureCollection", "anchor": said.get("anchor")
-    }).header  # fmt: skip
-    site = imported_building(
-        path,
-        header and header.title,
-        header.floor if header else "ground floor",
-        told_in(header)["anchor"] if header else None,
-        [*planned.parts, *parts, *boxes],
-        round(found.ceiling or CEILING, 2),
-    )
+    parts = [*planned.parts, *parts, *boxes]
+    ceiling = round(found.ceiling or CEILING, 2)
+    site = imported_building(path, None, "ground floor", None, parts, ceiling)
     return notes.imported(site)
-
-
-def _named(
-    line: CentreLine, named: Sequence[tuple[str, shapely.Geometry]]
-) -> CentreLine:
-    """Return a line with the name of the corridor that most of it lies in."""
-    way = LineString(line.points)
-    for name, corridor in named:
-        if way.intersection(corridor).length > way.length / 2:
-            return replace(line, name=name)
-    return line

@@ -16,7 +16,7 @@ from shapely.ops import polygonize
 
 from memorymaze.errors import ImportFileError
 from memorymaze.geometry.points import XY
-from memorymaze.geometry.pose import heading_to
+from memorymaze.geometry.pose import heading_to, moved
 from memorymaze.importing.found import FoundDoor, FoundRoom, FoundThing
 from memorymaze.importing.imported import (
     FAR,
@@ -29,7 +29,7 @@ from memorymaze.importing.imported import (
 )
 from memorymaze.importing.osm_elements import Element, read_elements
 from memorymaze.importing.outlines import Outlines, plan_outlines
-from memorymaze.importing.shapes import moved, polygons
+from memorymaze.importing.shapes import polygons
 from memorymaze.importing.ways import OpenArea
 from memorymaze.wording import counted
 

@@ -14,17 +14,17 @@ import shapely
 from shapely import LineString, Point, Polygon, STRtree
 from shapely.geometry.base import BaseGeometry
 
-from memorymaze.construction.vocabulary import LandmarkKind, furnishings
 from memorymaze.geometry.points import XY
-from memorymaze.geometry.pose import heading_to
+from memorymaze.geometry.pose import heading_to, moved
 from memorymaze.importing.found import FoundDoor, FoundRoom, FoundThing
 from memorymaze.importing.imported import (
     ImportNotes,
 )
-from memorymaze.importing.shapes import moved, polygons
+from memorymaze.importing.shapes import polygons
 from memorymaze.importing.ways import PlannedFloor
 from memorymaze.sites.floor_rules import DOOR_WIDTHS, ROOM_OFF_DOOR, ROOM_ON_FLOOR
 from memorymaze.sites.records import Door, Landmark, PlanPart, Room, rectangle
+from memorymaze.sites.things import ThingKind, door_kinds, kind_of_thing
 from memorymaze.wording import counted
 
 BESIDE = 1.0
@@ -39,7 +39,6 @@ PASSAGE = 0.5
 """Metres on both sides of the middle of a way that obstacles leave free."""
 AROUND = 6.0
 """Metres around an obstacle within which it can block a way."""
-PLAIN_THING = LandmarkKind(size=(0.6, 0.5, 1.2), mount="floor", colors=("grey",))
 
 
 @dataclass(frozen=True)
@@ -135,7 +134,7 @@ class _Placer:
     def doors(self, found: Sequence[FoundDoor]) -> Iterator[Door]:
         """Yield the doors, each in the nearest wall that is long enough."""
         for door in found:
-            kind = furnishings().doors[door.kind]
+            kind = door_kinds()[door.kind]
             if door.width is None:
                 self._notes.guess("widths of doors", door.source)
             wanted = min(max(door.width or kind.width, DOOR_WIDTHS[0]), DOOR_WIDTHS[1])
@@ -175,7 +174,10 @@ class _Placer:
         """Yield the things, those near a wall with their back to it."""
         counts: dict[str, int] = {}
         for thing in found:
-            kind = furnishings().things.get(thing.category, PLAIN_THING)
+            kind = kind_of_thing(thing.category)
+            if kind is None:
+                self._notes.miss("things of no known kind", thing.source)
+                continue
             place, heading = self._stand(thing, kind)
             if place is None:
                 self._notes.miss(
@@ -235,7 +237,7 @@ class _Placer:
         _, identity, name = min(rooms, default=(0.0, None, None))
         return identity, name
 
-    def _stand(self, thing: FoundThing, kind: LandmarkKind) -> tuple[XY | None, float]:
+    def _stand(self, thing: FoundThing, kind: ThingKind) -> tuple[XY | None, float]:
         """Return where a thing stands or hangs and which way it faces."""
         length, depth, _ = kind.size
         on_floor = self._floor.covers(Point(thing.place))

@@ -13,7 +13,7 @@ import shapely
 from shapely import LineString, MultiPolygon, Point, Polygon
 
 from memorymaze.errors import ImportFileError
-from memorymaze.geometry.pose import heading_to
+from memorymaze.geometry.pose import heading_to, moved
 from memorymaze.importing.corridors import PlannedCorridor, corridors_along
 from memorymaze.importing.imported import CentreLine, ImportNotes
 from memorymaze.importing.junctions import (
@@ -22,7 +22,7 @@ from memorymaze.importing.junctions import (
     junctions_of,
 )
 from memorymaze.importing.line_graph import LineLeg, legs_of, nodes_of
-from memorymaze.importing.shapes import moved, polygons, strip
+from memorymaze.importing.shapes import polygons, strip
 from memorymaze.sites.exits import FloorShapes, shape_of
 from memorymaze.sites.records import (
     Area,

@@ -132,7 +132,7 @@ def build_scene(site: Site, obstacles: ObstacleSettings | None = None) -> Scene:
 
     Walls stand on the boundary of the walkable floor, up to the ceiling; round a hole
     over which something hangs from the ceiling (a globe in an atrium) only a
-    balustrade stands. How high things hang is told in `furnishing`.
+    balustrade stands. How high things hang is told in `solids`.
 
     Args:
         site: A building that passed the checks of `memorymaze.sites`.

@@ -12,7 +12,7 @@ from shapely import LineString, Polygon
 from shapely.geometry.base import BaseGeometry
 
 from memorymaze.geometry.points import XY
-from memorymaze.geometry.pose import turn_between, wrap_angle
+from memorymaze.geometry.pose import moved, turn_between, wrap_angle
 from memorymaze.sites.records import Exit
 from memorymaze.sites.route_rules import STRAIGHT_ON
 
@@ -89,7 +89,7 @@ def exits_into_the_open(
         heading = course + quarter * math.pi / 2
         if any(_apart(heading, each) < OPEN_APART for each in taken):
             continue
-        line = LineString([middle, _ahead(middle, heading, reach)])
+        line = LineString([middle, moved(middle, heading, reach)])
         to = _led_to(line.difference(place), near)
         if to is not None and to in near.areas and floor.contains(line):
             taken.append(Exit(to, wrap_angle(heading)))
@@ -114,7 +114,7 @@ def is_free(
 ) -> bool:
     """Tell whether there is floor from the middle of a place to just beyond its edge."""
     middle = _middle(place)
-    end = _ahead(middle, heading, exit_reach(place) + beyond)
+    end = moved(middle, heading, exit_reach(place) + beyond)
     return floor.contains(LineString([middle, end]))
 
 
@@ -149,10 +149,3 @@ def _apart(heading: float, other: Exit) -> float:
 def _middle(place: Polygon) -> XY:
     middle = place.centroid
     return (middle.x, middle.y)
-
-
-def _ahead(place: XY, heading: float, distance: float) -> XY:
-    return (
-        place[0] + distance * math.cos(heading),
-        place[1] + distance * math.sin(heading),
-    )

@@ -1,7 +1,7 @@
 """Sites from plans: those of this package, files and folders, made into records."""
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, cast
 
@@ -14,7 +14,7 @@ from memorymaze.sites import records
 from memorymaze.sites.loading_rules import loading_findings
 from memorymaze.sites.plan import heading_of
 from memorymaze.sites.problems import SiteProblem
-from memorymaze.sites.reading import PlanContent, read_plan, understand_plan
+from memorymaze.sites.reading import PlanContent, read_plan
 from memorymaze.sites.shape_rules import shape_problem
 
 SNAKE_CASE = re.compile(r"[a-z0-9]+(_[a-z0-9]+)*")
@@ -167,22 +167,14 @@ def site_from_content(
             made.append(part)
     if header is None:
         return None, broken, findings
-    told, more = told_in(header), _more(header)
+    told, more = _told_in(header), _more(header)
     del told["type"]
     more.pop("features", None)
     site = records.Site(**told, **records.parts_by_kind(made), more=more, source=source)
     return site, broken, findings
 
 
-def part_of(feature: Mapping[str, object]) -> records.PlanPart | None:
-    """Return a feature that was written alone, where it is sound."""
-    for model in understand_plan({"features": [feature]}).features:
-        part = _part_or_problem(model)
-        return None if isinstance(part, SiteProblem) else part
-    return None
-
-
-def told_in(said: BaseModel) -> dict[str, Any]:
+def _told_in(said: BaseModel) -> dict[str, Any]:
     """Return what members say, called and measured as records have it."""
     told: dict[str, Any] = {}
     for member in type(said).model_fields:
@@ -194,7 +186,7 @@ def told_in(said: BaseModel) -> dict[str, Any]:
             told[name] = tuple(value) if isinstance(value, list) else value
         elif member in _WITHIN and value is not None:
             kind, many = _WITHIN[member], isinstance(value, list)
-            made = [kind(**told_in(each)) for each in (value if many else [value])]
+            made = [kind(**_told_in(each)) for each in (value if many else [value])]
             told[member] = tuple(made) if many else made[0]
         else:
             told[member] = value
@@ -214,7 +206,7 @@ def _part_or_problem(feature: models.AnyFeature) -> records.PlanPart | SiteProbl
         shape = Point(_points([geometry.coordinates]))
     else:
         shape = LineString(_points(geometry.coordinates))
-    told, more = told_in(feature.properties), _more(feature.properties)
+    told, more = _told_in(feature.properties), _more(feature.properties)
     if told.get("length", shape) is None:
         told["length"] = shape.length
     part = _RECORDS[more.pop("kind")](feature.id, shape, **told, more=more)

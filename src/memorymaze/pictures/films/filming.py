@@ -75,7 +75,6 @@ def film_walkthrough(
             settings.fps,
             title=f"Walkthrough of {scene.site.title}, {route.id} (simulated)",
             total=len(poses),
-            spherical=settings.panorama,
             progress=progress,
             told=told,
         )

@@ -1,7 +1,7 @@
 """Things left in the way and people who walk about: a setting of a run.
 
 How many there are, where they stand and walk, and what the robot meets of them. How it
-gets past them is in `motion`.
+gets past them is in `steering`.
 """
 
 from memorymaze.simulation.obstacles.settings import (
