@@ -5,7 +5,7 @@ import numpy as np
 from memorymaze.construction.floor import MadeFloor
 from memorymaze.construction.growth import grow
 from memorymaze.construction.layout import UnsuitableFloor
-from memorymaze.construction.plan import building_of
+from memorymaze.construction.plan import parts_of
 from memorymaze.construction.recipes import BUILDING_KINDS, RECIPES, BuildingKind
 from memorymaze.construction.rooms import MadeDoor, RoomPlanner
 from memorymaze.construction.skeleton import Skeleton
@@ -15,7 +15,8 @@ from memorymaze.construction.walls import MadeWall, end_wall, walls_of
 from memorymaze.construction.ways import Ways
 from memorymaze.errors import SettingsError, did_you_mean
 from memorymaze.sites.checking import made_site_problems
-from memorymaze.sites.records import Site
+from memorymaze.sites.plan import in_millimetres
+from memorymaze.sites.records import Site, parts_by_kind
 from memorymaze.sites.things import door_kinds
 
 MOST_TRIES = 60
@@ -94,18 +95,17 @@ def _drawn(name: str, kind: BuildingKind, rng: np.random.Generator) -> Site:
         furnisher.furnish_wall(wall)
     routes = ways.routes(rng)
     title = words.titles[rng.integers(len(words.titles))]
-    building = building_of(
-        name,
-        f"A made floor of a {kind}; no such building exists.",
-        float(rng.choice(words.ceilings)),
-        (title, words.floors[digit]),
-        floor,
-        words,
-        rooms,
-        doors,
-        furnisher.things,
-        routes,
+    parts = parts_of(floor, words, rooms, doors, routes)
+    exact = Site(
+        name=name,
+        title=title,
+        floor=words.floors[digit],
+        ceiling_height=float(rng.choice(words.ceilings)),
+        description=f"A made floor of a {kind}; no such building exists.",
+        anchor=None,
+        **parts_by_kind([*parts, *furnisher.things]),
     )
+    building = in_millimetres(exact)
     problems = made_site_problems(building)
     if problems:
         raise UnsuitableFloor(problems[0].line())

@@ -146,8 +146,7 @@ class Furnisher:
     def hang(self, name: str, place: XY, heading: float, text: str) -> None:
         """Hang a kind of sign from the ceiling."""
         kind = thing_kinds()[name]
-        sign = _landmark(kind, place, heading, kind.colors[0], text)
-        self._keep(replace(sign, obstacle=False), None)
+        self._keep(_landmark(kind, place, heading, kind.colors[0], text), None)
 
     def _draw(self, program: Program) -> str:
         weights = np.array(list(program.things.values()))

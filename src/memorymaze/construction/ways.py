@@ -10,9 +10,7 @@ import numpy as np
 from shapely import LineString, Point
 
 from memorymaze.construction.floor import MadeFloor, point_id
-from memorymaze.construction.layout import (
-    UnsuitableFloor,
-)
+from memorymaze.construction.layout import UnsuitableFloor
 from memorymaze.construction.rooms import MadeDoor, MadeRoom
 from memorymaze.construction.skeleton import IN_LINE, SkeletonLeg
 from memorymaze.construction.things import Furnisher

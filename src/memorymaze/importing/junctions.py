@@ -7,14 +7,13 @@ from typing import cast
 
 import networkx as nx
 import shapely
-from shapely import LineString, MultiPolygon, Point, Polygon
+from shapely import LineString, Point, Polygon
+from shapely.geometry.base import BaseGeometry
 from shapely.ops import nearest_points
 
 from memorymaze.geometry.points import XY
 from memorymaze.geometry.pose import heading_to, turn_between
-from memorymaze.importing.imported import (
-    ImportNotes,
-)
+from memorymaze.importing.imported import ImportNotes
 from memorymaze.importing.line_graph import BEND, LineLeg, nodes_of
 from memorymaze.importing.shapes import convex_region, strip
 from memorymaze.sites.exits import (
@@ -105,7 +104,7 @@ def junctions_of(
 
 
 def exits_of(
-    junction: LineJunction, floor: Polygon | MultiPolygon, parts: FloorShapes
+    junction: LineJunction, floor: BaseGeometry, parts: FloorShapes
 ) -> list[Exit]:
     """Return the directions in which one can leave: on its legs, and into the open.
 

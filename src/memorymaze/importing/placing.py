@@ -17,9 +17,7 @@ from shapely.geometry.base import BaseGeometry
 from memorymaze.geometry.points import XY
 from memorymaze.geometry.pose import heading_to, moved
 from memorymaze.importing.found import FoundDoor, FoundRoom, FoundThing
-from memorymaze.importing.imported import (
-    ImportNotes,
-)
+from memorymaze.importing.imported import ImportNotes
 from memorymaze.importing.shapes import polygons
 from memorymaze.importing.ways import PlannedFloor
 from memorymaze.sites.floor_rules import DOOR_WIDTHS, ROOM_OFF_DOOR, ROOM_ON_FLOOR

@@ -4,7 +4,7 @@ What comes out keeps the rules of the floor (`sites/floor_rules.py`): what would
 is made smaller or left to an area, and told.
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations, pairwise
 from typing import cast
@@ -24,6 +24,7 @@ from memorymaze.importing.junctions import (
 from memorymaze.importing.line_graph import LineLeg, legs_of, nodes_of
 from memorymaze.importing.shapes import polygons, strip
 from memorymaze.sites.exits import FloorShapes, shape_of
+from memorymaze.sites.floor_rules import exact_union
 from memorymaze.sites.records import (
     Area,
     Corridor,
@@ -196,17 +197,11 @@ def _rest(floor: Polygon, taken: Sequence[Polygon]) -> list[Polygon]:
     ]
 
 
-def _exact(parts: Iterable[Polygon]) -> Polygon | MultiPolygon:
-    """Return the union as `sites check` sees it first, with seams of 2 micrometres."""
-    eased = [part.buffer(1e-6, join_style="mitre") for part in parts]
-    return cast(Polygon | MultiPolygon, shapely.union_all(eased))
-
-
 def _patches(parts: Sequence[Polygon]) -> list[Polygon]:
     """Return pieces that close the small holes between parts."""
     return [
         patch
-        for piece in polygons(_exact(parts))
+        for piece in polygons(exact_union(parts))
         for hole in piece.interiors
         if Polygon(hole).area < SMALLEST_HOLE
         for patch in polygons(Polygon(hole).buffer(PATCH, join_style="mitre"))
@@ -222,7 +217,7 @@ def _planned(
     """Return the parts with ids and exits, the seams between them closed."""
     parts = [each.polygon for each in (*corridors, *areas, *junctions)]
     areas = [*areas, *(OpenArea(patch, None) for patch in _patches(parts))]
-    exact = _exact([*parts, *(area.polygon for area in areas)])
+    exact = exact_union([*parts, *(area.polygon for area in areas)])
     while True:
         shapes = FloorShapes(
             {f"corridor_{n}": part.polygon for n, part in enumerate(corridors, 1)},

@@ -10,7 +10,7 @@ from dataclasses import asdict
 from itertools import combinations, count, pairwise
 from typing import Any
 
-from shapely import LineString, Point, Polygon, union_all
+from shapely import LineString, Point, Polygon
 from shapely.affinity import scale
 
 from memorymaze.geometry.pose import heading_to, turn_between
@@ -23,7 +23,7 @@ from memorymaze.sites.exits import (
     exits_along,
     shape_of,
 )
-from memorymaze.sites.floor_rules import ROOM_OFF_DOOR
+from memorymaze.sites.floor_rules import ROOM_OFF_DOOR, exact_union
 from memorymaze.sites.plan import feature_of, in_millimetres, rounded_degrees
 from memorymaze.sites.records import Corridor, Site, TurningPoint
 from memorymaze.sites.route_rules import GOAL_NEAR
@@ -111,7 +111,7 @@ def _turning_point(
         for kind in (site.corridors, site.areas, site.turning_points)
     ))  # fmt: skip
     shapes = [shape for kind in parts for shape in kind.values()]
-    floor = union_all([each.buffer(1e-6) for each in shapes] + [place])
+    floor = exact_union([*shapes, place])
     # Into corridors one walks along them only.
     leading = [
         (heading, {each.id: each.polygon})
