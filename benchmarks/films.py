@@ -40,7 +40,7 @@ PIECES, LENGTH = 6, 8
 
 def run() -> list[Row]:
     site = load_site(SITE)
-    tour = tour_of(build_scene(site), site.reference_route(ROUTE))
+    tour = tour_of(build_scene(site), site.find_route(ROUTE))
     whole = list(tour.poses(SETTINGS.fps))
     starts = np.linspace(0, len(whole) - LENGTH, PIECES).astype(int)
     poses = [pose for start in starts for pose in whole[start : start + LENGTH]]

@@ -54,7 +54,7 @@ def panorama(site: Site) -> Image.Image:
     """Return the view all round from the middle of route R1, as in films."""
     size = (SHRINK * PANORAMA_WIDTH, SHRINK * PANORAMA_WIDTH // 2)
     settings = WalkthroughSettings(size, panorama=True, height=CAMERA_HEIGHT)
-    middle = site.reference_route("R1").line.interpolate(0.5, normalized=True)
+    middle = site.find_route("R1").line.interpolate(0.5, normalized=True)
     with closing(Artist(site, settings)) as artist:
         planes = artist.planes(Pose(middle.x, middle.y, 0.0))
     colours = video_frame(planes).reformat(

@@ -31,7 +31,7 @@ def main() -> None:
     settings = WalkthroughSettings()
     for row, site in enumerate(sites.values()):
         scene = build_scene(site)
-        poses = list(tour_of(scene, site.reference_route("R1")).poses(settings.fps))
+        poses = list(tour_of(scene, site.find_route("R1")).poses(settings.fps))
         # The middle of each fifth of the film.
         chosen = [
             poses[len(poses) * (2 * k + 1) // (2 * FRAMES)] for k in range(FRAMES)

@@ -99,7 +99,7 @@ def test_the_longest_route_can_be_finished_under_the_fair_budget_only(
     blind_robot: Callable[[Site, Route], SimulatedRobot],
 ) -> None:
     site = builtin_sites["university"]
-    route = site.reference_route("R2")
+    route = site.find_route("R2")
     goal = route.line.coords[-1]
 
     fair, released = blind_robot(site, route), blind_robot(site, route)

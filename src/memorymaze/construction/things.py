@@ -2,17 +2,17 @@
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import replace
 
 import numpy as np
-from shapely import MultiLineString, Polygon, STRtree
+from shapely import MultiLineString, Point, Polygon, STRtree
 
 from memorymaze.construction.floor import MadeFloor
 from memorymaze.construction.rooms import MadeRoom
 from memorymaze.construction.vocabulary import Program, Vocabulary
 from memorymaze.construction.walls import MadeWall
 from memorymaze.geometry.points import XY
-from memorymaze.sites.records import Mount, rectangle
+from memorymaze.sites.records import Landmark
 from memorymaze.sites.things import ThingKind, thing_kinds
 
 FROM_MIDDLE_LINES = 0.65
@@ -29,26 +29,6 @@ PRINTED = 0.7
 """Share of things with words that have some on them."""
 
 
-@dataclass(frozen=True)
-class MadeThing:
-    """A landmark."""
-
-    category: str
-    place: XY
-    heading: float
-    """Radians; the way its front faces."""
-    size: tuple[float, float, float]
-    mount: Mount
-    obstacle: bool
-    color: str | None = None
-    text: str | None = None
-
-    @property
-    def footprint(self) -> Polygon:
-        """What it covers of the floor."""
-        return rectangle(self.size, *self.place, self.heading)
-
-
 class Furnisher:
     """Puts things where they are in nobody's way."""
 
@@ -60,7 +40,8 @@ class Furnisher:
         rng: np.random.Generator,
     ) -> None:
         """Begin with no things."""
-        self.things: list[MadeThing] = []
+        self.things: list[Landmark] = []
+        self._counts: dict[str, int] = {}
         self._floor = floor
         self._words = words
         self._rng = rng
@@ -68,7 +49,9 @@ class Furnisher:
         self._ways = MultiLineString([
             skeleton.line(node, other) for node, other in skeleton.graph.edges
         ])
-        self._points = STRtree([point.polygon for point in floor.turning_points])
+        self._points = STRtree([
+            point.polygon for point in floor.turning_points.values()
+        ])
         self._behind = STRtree([room.polygon for room in rooms])
         self._standing: list[tuple[Polygon, MadeWall | None]] = []
 
@@ -163,11 +146,7 @@ class Furnisher:
     def hang(self, name: str, place: XY, heading: float, text: str) -> None:
         """Hang a kind of sign from the ceiling."""
         kind = thing_kinds()[name]
-        self.things.append(
-            MadeThing(
-                name, place, heading, kind.size, kind.mount, False, kind.colors[0], text
-            )
-        )
+        self._keep(_landmark(kind, place, heading, kind.colors[0], text), None)
 
     def _draw(self, program: Program) -> str:
         weights = np.array(list(program.things.values()))
@@ -177,21 +156,12 @@ class Furnisher:
 
     def _made(
         self, kind: ThingKind, place: XY, heading: float, text: str | None
-    ) -> MadeThing:
+    ) -> Landmark:
         texts = self._words.texts.get(kind.name, kind.texts)
         color = kind.colors[self._rng.integers(len(kind.colors))]
         if text is None and texts and self._rng.random() < PRINTED:
             text = texts[self._rng.integers(len(texts))]
-        return MadeThing(
-            kind.name,
-            place,
-            heading,
-            kind.size,
-            kind.mount,
-            kind.in_the_way,
-            color,
-            text,
-        )
+        return _landmark(kind, place, heading, color, text)
 
     def _is_free(self, footprint: Polygon, wall: MadeWall | None) -> bool:
         if footprint.distance(self._ways) < FROM_MIDDLE_LINES:
@@ -203,7 +173,27 @@ class Furnisher:
             for other, at in self._standing
         )
 
-    def _keep(self, thing: MadeThing, wall: MadeWall | None) -> None:
-        self.things.append(thing)
+    def _keep(self, thing: Landmark, wall: MadeWall | None) -> None:
+        stem = thing.category.lower().replace(" ", "_")
+        self._counts[stem] = self._counts.get(stem, 0) + 1
+        self.things.append(replace(thing, id=f"{stem}_{self._counts[stem]}"))
         if thing.obstacle:
             self._standing.append((thing.footprint, wall))
+
+
+def _landmark(
+    kind: ThingKind, place: XY, heading: float, color: str, text: str | None
+) -> Landmark:
+    """Return a thing that has no id yet."""
+    return Landmark(
+        "",
+        Point(place),
+        kind.name,
+        color,
+        None,
+        text,
+        heading,
+        kind.size,
+        kind.mount,
+        kind.in_the_way,
+    )

@@ -1,11 +1,9 @@
 """A building as meshes with the names of its plan, which every format is made from."""
 
-import json
 import re
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import cast
 
 import numpy as np
 from shapely import Polygon
@@ -14,7 +12,8 @@ from memorymaze.pictures.looks.assembly import MeshPart
 from memorymaze.pictures.looks.materials import Material
 from memorymaze.pictures.rendering.building import building
 from memorymaze.pictures.rendering.meshes import BuildingMesh, PlacedMeshes
-from memorymaze.sites.records import Site
+from memorymaze.sites.plan import feature_of, site_plan
+from memorymaze.sites.records import PlanPart, Site
 
 Attributes = Mapping[str, object]
 """What the plan says of a feature, as JSON takes it; nothing stands for null."""
@@ -86,8 +85,7 @@ def named_meshes(site: Site) -> Iterator[NamedMesh]:
 
 def feature_attributes(site: Site) -> Mapping[str, Attributes]:
     """Return what a plan says of each feature, by its id."""
-    features = json.loads(site.plan)["features"]
-    return {str(each["id"]): _attributes(each) for each in features}
+    return {part.id: _attributes(part) for part in site.parts}
 
 
 def site_file_stem(site: Site) -> str:
@@ -97,12 +95,9 @@ def site_file_stem(site: Site) -> str:
 
 def plan_members(site: Site) -> Attributes:
     """Return what a plan says beside features that have a place: members, routes."""
-    plan = json.loads(site.plan)
-    features = plan.pop("features")
-    routes = [
-        _attributes(each) for each in features if each["properties"]["kind"] == "route"
-    ]
-    return _without_null({**plan, "type": None, "routes": routes or None})
+    routes = [_attributes(route) for route in site.routes]
+    plan = {**site_plan(site), "features": None, "type": None}
+    return _without_null({**plan, "routes": routes or None})
 
 
 def _place(polygon: Polygon) -> PlacedMeshes:
@@ -135,10 +130,10 @@ def _joined(parts: Sequence[MeshPart]) -> MeshPart:
     )
 
 
-def _attributes(feature: Attributes) -> Attributes:
-    properties = cast(Attributes, feature["properties"])
+def _attributes(part: PlanPart) -> Attributes:
+    feature = feature_of(part)
     return _without_null({
-        **properties,
+        **feature["properties"],
         "id": feature["id"],
         "geometry": feature["geometry"],
     })

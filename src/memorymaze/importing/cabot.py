@@ -28,7 +28,7 @@ from memorymaze.importing.imported import (
     ImportNotes,
     LocalFrame,
     chosen_floor,
-    site_plan,
+    imported_building,
 )
 from memorymaze.importing.placing import place_found
 from memorymaze.importing.ways import plan_floor
@@ -86,7 +86,7 @@ class _PointOfInterest:
 
 
 def import_cabot(path: Path, floor: str | None = None) -> ImportedSite:
-    """Return one floor of CaBot's or HULOP's map data as a plan.
+    """Return one floor of CaBot's or HULOP's map data as a building.
 
     Links become corridors as wide as they say, entrances of facilities and elevators doors,
     points of interest things where their names are those of things.
@@ -137,8 +137,10 @@ def import_cabot(path: Path, floor: str | None = None) -> ImportedSite:
         filter(None, (each.text("hulop_building") for each in features))
     )
     title = max(buildings, key=lambda each: buildings[each], default=None)
-    plan = site_plan(path, title, floors[level], frame, [*planned.features, *placed])
-    return notes.imported(plan)
+    parts = [*planned.parts, *placed]
+    return notes.imported(
+        imported_building(path, title, floors[level], frame.anchor, parts)
+    )
 
 
 def _nodes(

@@ -9,9 +9,9 @@ from memorymaze.importing.imported import (
     CEILING,
     ImportedSite,
     ImportNotes,
-    site_plan,
+    imported_building,
 )
-from memorymaze.importing.obstacles import box_features, without_obstacles
+from memorymaze.importing.obstacles import boxes_on, without_obstacles
 from memorymaze.importing.ways import plan_floor
 from memorymaze.wording import counted
 
@@ -22,12 +22,12 @@ DOOR_DEPTH = 0.02
 
 
 def import_mesh(path: Path) -> ImportedSite:
-    """Return the floor of a mesh as a plan, in metres of the mesh's frame.
+    """Return the floor of a mesh as a building, in metres of the mesh's frame.
 
     A point (x, y, z) of a glTF file is (x, -z) on the plan.
     """
     require_extra("models", "trimesh", purpose="reading meshes")
-    from memorymaze.importing.mesh_features import by_kind, door_line, features_on
+    from memorymaze.importing.mesh_features import by_kind, door_line, parts_on
     from memorymaze.importing.mesh_floor import mesh_floor_of
     from memorymaze.pictures.building_mesh import read_mesh
 
@@ -41,9 +41,9 @@ def import_mesh(path: Path) -> ImportedSite:
     notes = ImportNotes(guessed=guessed)
     floor, standing = without_obstacles(found.polygon)
     planned = plan_floor(centre_lines(floor), notes, floor)
-    features = features_on(planned.polygon, found.height, kinds, notes)
+    parts = parts_on(planned.polygon, found.height, kinds, notes)
     boxes = list(
-        box_features([each for each in standing if each.area >= BIT], planned.polygon)
+        boxes_on(planned.polygon, [each for each in standing if each.area >= BIT])
     )
     bits = sum(each.area < BIT for each in standing)
     if bits:
@@ -58,12 +58,7 @@ def import_mesh(path: Path) -> ImportedSite:
             f"{found.left_out:.0f} m² of other floor, behind walls or doors"
         )
     notes.missing.append("routes, and all names that the file's nodes do not have")
-    plan = site_plan(
-        path,
-        None,
-        "ground floor",
-        None,
-        [*planned.features, *features, *boxes],
-        round(found.ceiling or CEILING, 2),
-    )
-    return notes.imported(plan)
+    parts = [*planned.parts, *parts, *boxes]
+    ceiling = round(found.ceiling or CEILING, 2)
+    site = imported_building(path, None, "ground floor", None, parts, ceiling)
+    return notes.imported(site)

@@ -6,14 +6,14 @@ from collections import defaultdict
 from collections.abc import Mapping, Sequence
 
 import numpy as np
-from shapely import LineString, MultiPoint, Polygon
+from shapely import LineString, MultiPoint, Point, Polygon
 
 from memorymaze.geometry.pose import moved
 from memorymaze.importing.imported import ImportNotes
 from memorymaze.importing.obstacles import box_around
 from memorymaze.pictures.building_mesh import MeshPiece
 from memorymaze.sites.floor_rules import DOOR_OFF_WALL, THING_OFF_FLOOR
-from memorymaze.sites.plan_writing import Feature, degrees, line_feature, point_feature
+from memorymaze.sites.records import Door, Landmark, PlanPart
 from memorymaze.wording import counted
 
 BUILDING = frozenset([
@@ -127,14 +127,14 @@ def door_line(piece: MeshPiece) -> LineString:
     ])
 
 
-def features_on(
+def parts_on(
     floor: Polygon,
     height: float,
     pieces: Mapping[str, Sequence[MeshPiece]],
     notes: ImportNotes,
-) -> list[Feature]:
-    """Return doors and things as features; those left out are told."""
-    found: dict[str, Feature] = {}
+) -> list[PlanPart]:
+    """Return doors and things; those left out are told."""
+    found: dict[str, PlanPart] = {}
     for kind, noun, why in (
         ("door", "door", "at no edge of the floor"),
         ("landmark", "thing", "that do not stand on the floor"),
@@ -147,43 +147,34 @@ def features_on(
             if made is None:
                 notes.miss(f"{noun}s {why}", piece.name)
                 continue
-            found[str(made["id"])] = made
+            found[made.id] = made
         if len(found) > before:
             notes.took.append(f"{counted(len(found) - before, noun)} by name")
     return list(found.values())
 
 
-def _door(piece: MeshPiece, floor: Polygon) -> Feature | None:
+def _door(piece: MeshPiece, floor: Polygon) -> Door | None:
     line = _onto_wall(door_line(piece), floor)
     if line is None:
         return None
-    return line_feature(
-        _identity(piece.name),
-        "door",
-        [(x, y) for x, y in line.coords],
-        room=None,
-        style="wood",
-        color="brown",
-        label=None,
-        state="closed",
-    )
+    identity = _identity(piece.name)
+    return Door(identity, line, None, "wood", "brown", None, "closed")
 
 
-def _thing(piece: MeshPiece, floor: Polygon, height: float) -> Feature | None:
+def _thing(piece: MeshPiece, floor: Polygon, height: float) -> Landmark | None:
     low, high = piece.vertices[:, 2].min(), piece.vertices[:, 2].max()
     middle, length, depth, heading = _box(piece)
     if not low - height <= STANDS < high - height or not _stands(piece, floor):
         return None
-    return point_feature(
+    return Landmark(
         _identity(piece.name),
-        "landmark",
-        middle,
+        Point(middle),
         category=" ".join(word for word in _words(piece.name) if word not in WORDLESS),
         color=None,
         name=None,
         text=None,
-        heading_deg=degrees(heading + math.pi / 2),
-        size_m=[round(length, 2), round(depth, 2), round(high - low, 2)],
+        heading=heading + math.pi / 2,
+        size=(round(length, 2), round(depth, 2), round(float(high - low), 2)),
         mount="floor",
         obstacle=True,
     )

@@ -136,8 +136,7 @@ class EditorPages:
             problems += problems_of_categories(site)
         walls: list[Polygon] = []
         if site is not None and complete:
-            floor = (*site.corridors, *site.areas, *site.turning_points)
-            walls = floor_pieces([each.polygon for each in floor])
+            walls = floor_pieces([each.polygon for each in site.floor_parts])
         return {
             "problems": [each._asdict() for each in problems],
             "walls": [

@@ -16,7 +16,7 @@ from pydantic import BaseModel, ConfigDict, ValidationError
 from memorymaze.durable_files import write_whole
 from memorymaze.errors import SettingsError, SitePlanError
 from memorymaze.input_files import parse_json, read_text
-from memorymaze.sites.plan_writing import plan_bytes
+from memorymaze.sites.plan import written_plan
 
 Plan = dict[str, Any]
 SUFFIXES = (".geojson", ".json")
@@ -152,7 +152,7 @@ class PlanFile:
                     f"{self.path.name} was changed on the disk since it was loaded here."
                 )
             if not (self._read.is_there and _is_same(document, self._read.plan)):
-                content = plan_bytes(edited.members, document["features"])
+                content = written_plan({"type": "FeatureCollection", **document})
                 write_whole(self.path, content)
                 self._read = _Read(content.decode(), document, is_there=True)
             self._keep(draft=None)

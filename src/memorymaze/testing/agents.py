@@ -79,7 +79,7 @@ def check_agent(
 
 def _museum() -> Callable[[], SteppingRobot]:
     scene = build_scene(load_site("museum_5f"))
-    start = scene.site.reference_route("R2").start
+    start = scene.site.find_route("R2").start
     settings = SimulationSettings(time_budget=40.0, call_budget=300)
     return lambda: SimulatedRobot(scene, start, settings, np.random.default_rng(0))
 
