@@ -26,7 +26,7 @@ from memorymaze.evaluation.trace_entries import (
 )
 from memorymaze.robot.api import Detection, MoveResult, SignText, TurnResult
 
-PAGE = Path(__file__).parents[2] / "docs" / "data_formats.md"
+PAGE = Path(__file__).parents[2] / "docs" / "formats.md"
 HERE = (1.0, 2.0, 0.5)
 DOOR = Detection("door", (0.0, 0.0, 9.0, 9.0), 0.9, 2.0, -3.0, 1)
 
