@@ -1,30 +1,29 @@
-"""What cameras see: looks of buildings and things, rendering, furniture models, films.
+"""What cameras see: looks of buildings and things, rendering, films.
 
 Holds nothing that decides where a robot goes. Importing it loads no OpenGL.
 """
 
 from typing import TYPE_CHECKING
 
-from memorymaze.pictures.kinds_of_looks import Looks
+from memorymaze.pictures.kinds_of_looks import OWN, Looks, file_of_looks
 
 if TYPE_CHECKING:
     from memorymaze.simulation.cameras import RobotCameras
     from memorymaze.simulation.physics_engine import mujoco
     from memorymaze.simulation.scene import Scene
 
-__all__ = ["Looks", "robot_cameras"]
+__all__ = ["OWN", "Looks", "file_of_looks", "robot_cameras"]
 
 
 def robot_cameras(
-    scene: "Scene", data: "mujoco.MjData", looks: Looks | None = None
+    scene: "Scene", data: "mujoco.MjData", looks: Looks = OWN
 ) -> "RobotCameras":
     """Put cameras on a robot; the first picture builds the looks, which takes seconds.
 
     Args:
         scene: The building.
         data: Physics state, for where things and people are.
-        looks: How things look: `own`, or `models` for furniture models that were
-            converted; None for models where there are any.
+        looks: How things look: `own`, `mesh`, or the path of a GLB file with models.
 
     Raises:
         RenderingError: This machine cannot draw; says what to install.

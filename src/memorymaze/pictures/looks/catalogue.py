@@ -7,22 +7,27 @@ What remains unknown gets a box with its name on it.
 
 import re
 import zlib
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
 from functools import cache
-from importlib import import_module
+from importlib.resources import as_file, files
+from pathlib import Path
 
-from memorymaze.pictures.furniture.models import furniture_for
-from memorymaze.pictures.kinds_of_looks import Looks
-from memorymaze.pictures.looks.assembly import Assembly, ObjectModel, Order
-from memorymaze.pictures.looks.bins_and_barriers import placeholder
-from memorymaze.pictures.looks.windows import is_window, window_model
+from memorymaze.errors import SettingsError
+from memorymaze.pictures.kinds_of_looks import MESH, OWN, Looks, file_of_looks
+from memorymaze.pictures.looks.assembly import ObjectModel
+from memorymaze.pictures.looks.models import (
+    Order,
+    ThingModel,
+    model_of_kind,
+    read_models,
+)
+from memorymaze.pictures.looks.windows import WINDOWS, window_model
 from memorymaze.pictures.tables import read_table
 from memorymaze.sites.problems import SiteProblem
 from memorymaze.sites.records import Landmark, Mount, Site
 
-Builder = Callable[[Assembly, Order], None]
-"""Puts a thing of a size, colour and text together."""
+UNKNOWN = "unknown"
+"""The node that shows what no kind is known of."""
 VARIANTS = 6
 """Things of one kind, size, colour and text come in at most so many looks."""
 WITH_PICTURES = frozenset({
@@ -32,30 +37,11 @@ WITH_PICTURES = frozenset({
 """Archetypes that show a picture, each thing another one."""
 
 
-@dataclass(frozen=True, slots=True)
-class Archetype:
-    """A kind of thing with a look of its own."""
-
-    module: str
-    """Of `looks`, with a builder called as the archetype, such as `grand_piano`."""
-    others: tuple[str, ...]
-    """Further categories that look so."""
-
-    def builder(self, name: str) -> Builder:
-        """Return what builds it."""
-        module = import_module(f"memorymaze.pictures.looks.{self.module}")
-        return getattr(module, re.sub(r"[ -]", "_", name.lower()))
-
-
 @cache
-def archetypes() -> dict[str, Archetype]:
-    """Return all archetypes by name; `archetypes.json` is read once."""
+def archetypes() -> dict[str, tuple[str, ...]]:
+    """Return all archetypes with what else is called so; `archetypes.json` is read once."""
     table = read_table("archetypes.json", dict[str, dict[str, tuple[str, ...]]])
-    return {
-        name: Archetype(module, others)
-        for module, group in table.items()
-        for name, others in group.items()
-    }
+    return {name: others for group in table.values() for name, others in group.items()}
 
 
 def archetype_of(category: str) -> str | None:
@@ -92,13 +78,11 @@ def problems_of_looks(site: Site) -> list[SiteProblem]:
     ]
 
 
-def model_for_landmark(landmark: Landmark, looks: Looks = "own") -> ObjectModel:
+def model_for_landmark(landmark: Landmark, looks: Looks = OWN) -> ObjectModel:
     """Return how a landmark looks.
 
     Landmarks that differ in nothing one sees share one model.
     """
-    if is_window(landmark):
-        return window_model(landmark)
     number = zlib.crc32(landmark.id.encode())
     pictured = archetype_of(landmark.category) in WITH_PICTURES
     return model_of(
@@ -123,7 +107,7 @@ def model_of(
     name: str | None = None,
     mount: Mount = "floor",
     variant: int = 0,
-    looks: Looks = "own",
+    looks: Looks = OWN,
 ) -> ObjectModel:
     """Return how a thing looks that no plan has, such as a box left in the way.
 
@@ -131,37 +115,50 @@ def model_of(
     usual colour; a proper name may say what it shows; the variant is one of several
     looks.
     """
-    length, depth, height = size
-    order = Order(
-        category,
-        length,
-        depth,
-        height,
-        colour_words,
-        text or None,
-        name,
-        mount,
-        variant,
-    )
-    if looks == "models":
-        archetype = archetype_of(category)
-        piece = None if archetype is None else furniture_for(archetype, order)
-        if piece is not None:
-            return piece
-    made = Assembly()
-    _builder(order)(made, order)
-    return made.model(length, depth, height)
+    order = Order(category, *size, colour_words, text or None, name, mount, variant)
+    kind = _kind_of(order)
+    if kind in WINDOWS:
+        return window_model(category, size, text)
+    models = models_of(looks).get(kind) or models_of(OWN)[kind]
+    return model_of_kind(models, order)
 
 
-def _builder(order: Order) -> Builder:
+def check_looks(looks: Looks) -> Looks:
+    """Refuse looks that there are not, or a file that holds no models."""
+    file = file_of_looks(looks)
+    if file is not None:
+        if not file.is_file():
+            raise SettingsError(
+                f"looks: expected {OWN}, {MESH}, or the path of a GLB file with models, "
+                f"got {looks!r}, which is no file here"
+            )
+        models_of(looks)
+    return looks
+
+
+def models_of(looks: Looks) -> Mapping[str, Sequence[ThingModel]]:
+    """Return the models that one may choose for looks, by kind."""
+    path = file_of_looks(looks)
+    if path is None:
+        with as_file(files("memorymaze.pictures") / "data" / "things.glb") as path:
+            return _models_in(path)
+    return _models_in(path.resolve())
+
+
+@cache
+def _models_in(path: Path) -> Mapping[str, Sequence[ThingModel]]:
+    return read_models(path, {**_names(), UNKNOWN: UNKNOWN}.get)
+
+
+def _kind_of(order: Order) -> str:
     archetype = archetype_of(order.category)
     if archetype is None:
-        return placeholder
+        return UNKNOWN
     if archetype == "sign" and order.mount == "ceiling":
-        archetype = "hanging sign"
-    elif archetype == "sign" and order.mount == "floor" and order.depth > 0.2:
-        archetype = "A-frame"
-    return archetypes()[archetype].builder(archetype)
+        return "hanging sign"
+    if archetype == "sign" and order.mount == "floor" and order.depth > 0.2:
+        return "A-frame"
+    return archetype
 
 
 @cache
@@ -169,8 +166,8 @@ def _names() -> dict[str, str]:
     """Return the archetype of each known category, in lower case."""
     return {
         category.lower(): archetype
-        for archetype, kind in archetypes().items()
-        for category in (archetype, *kind.others)
+        for archetype, others in archetypes().items()
+        for category in (archetype, *others)
     }
 
 

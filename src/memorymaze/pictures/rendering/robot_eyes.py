@@ -6,8 +6,8 @@ import threading
 from functools import lru_cache
 
 from memorymaze.geometry.pose import Pose
-from memorymaze.pictures.furniture.models import check_looks
-from memorymaze.pictures.kinds_of_looks import Looks
+from memorymaze.pictures.kinds_of_looks import OWN, Looks
+from memorymaze.pictures.looks.catalogue import check_looks
 from memorymaze.pictures.rendering.camera import CameraFrame, RenderedCamera
 from memorymaze.pictures.rendering.panorama import PanoramaCamera, PanoramaFrame
 from memorymaze.pictures.rendering.visual_scene import (
@@ -18,7 +18,7 @@ from memorymaze.simulation.physics_engine import mujoco
 from memorymaze.simulation.scene import Scene
 
 
-def visual_scene_of(scene: Scene, looks: Looks | None = None) -> VisualScene:
+def visual_scene_of(scene: Scene, looks: Looks = OWN) -> VisualScene:
     """Return what a physics scene looks like; built once for each scene and looks."""
     return _visual_scene(scene, check_looks(looks))
 
@@ -56,9 +56,7 @@ def _owner() -> tuple[int, int]:
 class RobotEyes:
     """Cameras on a robot, with the things and people that the physics knows of."""
 
-    def __init__(
-        self, scene: Scene, data: mujoco.MjData, looks: Looks | None = None
-    ) -> None:
+    def __init__(self, scene: Scene, data: mujoco.MjData, looks: Looks = OWN) -> None:
         """Look at a scene; builds its looks where nobody did before."""
         self._scene = scene
         self._data = data

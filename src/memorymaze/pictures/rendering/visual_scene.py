@@ -8,9 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from memorymaze.geometry.pose import Pose
-from memorymaze.pictures.furniture.models import check_looks
-from memorymaze.pictures.kinds_of_looks import Looks
-from memorymaze.pictures.looks.catalogue import model_of
+from memorymaze.pictures.kinds_of_looks import OWN, Looks
+from memorymaze.pictures.looks.catalogue import check_looks, model_of
 from memorymaze.pictures.rendering.mesh_looks import mesh_building
 from memorymaze.pictures.rendering.mujoco_model import SpecAssembler
 from memorymaze.pictures.rendering.placed_things import (
@@ -105,14 +104,14 @@ class VisualScene:
 
 
 def build_visual_scene(
-    site: Site, movables: Sequence[Movable] = (), looks: Looks | None = None
+    site: Site, movables: Sequence[Movable] = (), looks: Looks = OWN
 ) -> VisualScene:
     """Build what a site looks like. Takes a second or two; OpenGL is not needed.
 
     Args:
         site: A building that passed the checks of `memorymaze.sites`.
         movables: Things and people that `VisualScene.place` will place.
-        looks: How things look; None for models where they were converted; `mesh` for
+        looks: How things look: `own`, the path of a GLB file with models, or `mesh` for
             the building's own mesh, which stands beside its plan.
     """
     looks = check_looks(looks)
