@@ -82,6 +82,17 @@ def test_words_of_the_plan_stand_on_surfaces_called_words(glb_file: GlbFile):
     ]
 
 
+def test_parts_of_a_thing_may_be_called_as_they_like(glb_file: GlbFile):
+    nodes = [
+        {"name": "Collection", "children": [1]},
+        {"name": "table", "children": [2]},
+        {"name": "table.001", "translation": [0, 1, 0]},
+    ]
+    looks = str(glb_file(nodes, scenes=[{"nodes": [0]}]))
+    model = model_of("table", (1.2, 0.8, 0.7), looks=looks)
+    assert model.triangle_count == 24
+
+
 def test_targets_show_a_thing_one_metre_longer(glb_file: GlbFile):
     """Its left half goes to the left; the right half keeps its shape."""
     longer = np.zeros_like(CORNERS)

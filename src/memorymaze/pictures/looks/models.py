@@ -169,9 +169,13 @@ def read_models(
     """
     found: dict[str, list[ThingModel]] = {}
     roots = read_glb(path)
-    for node in (each for root in roots for each in root.all()):
+    left = list(reversed(roots))
+    while left:
+        node = left.pop()
         kind = kind_of(_stem(node.name).replace("_", " ").lower())
-        if kind is not None and "repeat" not in node.extras:
+        if kind is None:
+            left.extend(reversed(node.children))
+        else:
             found.setdefault(kind, []).append(_model(path, node))
     if not found:
         names = ", ".join(repr(each.name) for root in roots for each in root.all())
