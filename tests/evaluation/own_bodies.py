@@ -87,3 +87,10 @@ class Stays(Localised):
 
     def close(self) -> None:
         raise OSError("stuck in the door")
+
+
+class Lost(Localised):
+    """The same, which cannot tell where it begins."""
+
+    def pose_in_site(self) -> Pose:
+        raise ConnectionError("no map")

@@ -90,6 +90,12 @@ def test_a_body_is_closed_when_its_episode_is_over(follow: Follow) -> None:
     assert own_bodies.opened[-1].closed == 1
 
 
+def test_a_body_that_cannot_tell_where_it_begins_is_closed(follow: Follow) -> None:
+    with pytest.raises(RobotBodyError, match="no map"):
+        follow(f"{MODULE}:Lost")
+    assert own_bodies.opened[-1].closed == 1
+
+
 @pytest.mark.parametrize("deaf", [False, True])
 def test_a_body_that_dies_is_a_crash_whatever_the_agent_makes_of_it(
     follow: Follow, deaf: bool

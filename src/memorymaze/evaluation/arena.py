@@ -1,7 +1,8 @@
 """A site made ready for episodes: its scene, its grid, and what scoring needs."""
 
 from collections.abc import Callable, Mapping
-from functools import cached_property, partial
+from contextlib import suppress
+from functools import cached_property
 
 import numpy as np
 
@@ -17,9 +18,10 @@ from memorymaze.language.building import build_language_model
 from memorymaze.language.model import LanguageModel
 from memorymaze.passers_by import FloorKnowledge
 from memorymaze.perception.eyes import Eyes
-from memorymaze.pictures import OWN, Looks, robot_cameras
+from memorymaze.pictures import OWN, Looks
 from memorymaze.pictures.looks.catalogue import check_looks
 from memorymaze.simulation.obstacles import ObstacleSettings
+from memorymaze.simulation.own_body import CanBeClosed
 from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.simulation.scene import Scene, build_scene
 from memorymaze.simulation.senses.noise import NoiseSettings
@@ -96,23 +98,30 @@ class Arena:
             body = self._body.make(self.site, episode.start, settings, rng)
         if self.obstacles is not None:
             placing = obstacle_generator(self.obstacles.seed, episode.id)
-        return self._make_robot(
-            self.scene,
-            episode.start,
-            settings,
-            rng,
-            on_event,
-            detector=self.eyes.detector_for(
-                detector_rng or np.random.default_rng(0), settings.detection_range
-            ),
-            sign_reader=self.eyes.sign_reader(),
-            obstacles_rng=placing,
-            keep_free=episode.reference_path,
-            lidar=None if self._noise is None else self._noise.lidar,
-            odometry=None if self._noise is None else self._noise.odometry,
-            cameras=partial(robot_cameras, looks=self.looks),
-            body=body,
-        )
+        try:
+            return self._make_robot(
+                self.scene,
+                episode.start,
+                settings,
+                rng,
+                on_event,
+                detector=self.eyes.detector_for(
+                    detector_rng or np.random.default_rng(0), settings.detection_range
+                ),
+                sign_reader=self.eyes.sign_reader(),
+                obstacles_rng=placing,
+                keep_free=episode.reference_path,
+                lidar=None if self._noise is None else self._noise.lidar,
+                odometry=None if self._noise is None else self._noise.odometry,
+                looks=self.looks,
+                body=body,
+            )
+        except BaseException:
+            if isinstance(body, CanBeClosed):
+                # Why it cannot begin is what is told.
+                with suppress(Exception):
+                    body.close()
+            raise
 
     def finished(
         self,

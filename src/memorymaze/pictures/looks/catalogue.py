@@ -1,11 +1,8 @@
 """Which thing looks how: from the words of a site plan to a model.
 
-A category is looked up as it stands, then without what follows `of`, `with` or `for`
-(`statue of a bear` is a statue), then without its first words (`antique corner sofa`).
-What remains unknown gets a box with its name on it.
+What is no known kind of thing gets a box with its name on it.
 """
 
-import re
 import zlib
 from collections.abc import Mapping, Sequence
 from functools import cache
@@ -22,9 +19,8 @@ from memorymaze.pictures.looks.models import (
     read_models,
 )
 from memorymaze.pictures.looks.windows import WINDOWS, window_model
-from memorymaze.pictures.tables import read_table
-from memorymaze.sites.problems import SiteProblem
-from memorymaze.sites.records import Landmark, Mount, Site
+from memorymaze.sites.records import Landmark, Mount
+from memorymaze.sites.things import kind_of_thing, thing_kinds
 
 UNKNOWN = "unknown"
 """The node that shows what no kind is known of."""
@@ -38,44 +34,18 @@ WITH_PICTURES = frozenset({
 
 
 @cache
-def archetypes() -> dict[str, tuple[str, ...]]:
-    """Return all archetypes with what else is called so; `archetypes.json` is read once."""
-    table = read_table("archetypes.json", dict[str, dict[str, tuple[str, ...]]])
-    return {name: others for group in table.values() for name, others in group.items()}
+def archetypes() -> frozenset[str]:
+    """Return the names of all kinds that have a look of their own."""
+    return frozenset(kind.look for kind in thing_kinds().values())
 
 
 def archetype_of(category: str) -> str | None:
-    """Return the archetype of a category of a site plan, a key of `archetypes`.
+    """Return the archetype of a category of a site plan, one of `archetypes`.
 
     None for a category that nothing is known of, which is shown as a box with its name.
     """
-    names = _names()
-    for phrase in _phrases(category):
-        for form in (phrase, _singular(phrase)):
-            if form in names:
-                return names[form]
-    return None
-
-
-def problems_of_looks(site: Site) -> list[SiteProblem]:
-    """Return a warning for each category of a plan that nothing looks like."""
-    unknown = {
-        thing.category: thing.id
-        for thing in reversed(site.landmarks)
-        if archetype_of(thing.category) is None
-    }
-    return [
-        SiteProblem(
-            feature,
-            "known-look",
-            f"expected a category that has a look, got {category!r}, shown as a box "
-            "with its name; use a common noun such as bench, or end with one "
-            "(reading bench)",
-            "warning",
-            site.source,
-        )
-        for category, feature in reversed(unknown.items())
-    ]
+    kind = kind_of_thing(category)
+    return None if kind is None else kind.look
 
 
 def model_for_landmark(landmark: Landmark, looks: Looks = OWN) -> ObjectModel:
@@ -147,7 +117,11 @@ def models_of(looks: Looks) -> Mapping[str, Sequence[ThingModel]]:
 
 @cache
 def _models_in(path: Path) -> Mapping[str, Sequence[ThingModel]]:
-    return read_models(path, {**_names(), UNKNOWN: UNKNOWN}.get)
+    return read_models(path, _kind_of_node)
+
+
+def _kind_of_node(name: str) -> str | None:
+    return UNKNOWN if name == UNKNOWN else archetype_of(name)
 
 
 def _kind_of(order: Order) -> str:
@@ -159,31 +133,3 @@ def _kind_of(order: Order) -> str:
     if archetype == "sign" and order.mount == "floor" and order.depth > 0.2:
         return "A-frame"
     return archetype
-
-
-@cache
-def _names() -> dict[str, str]:
-    """Return the archetype of each known category, in lower case."""
-    return {
-        category.lower(): archetype
-        for archetype, others in archetypes().items()
-        for category in (archetype, *others)
-    }
-
-
-def _phrases(category: str) -> list[str]:
-    """Return a category, then what is left as words are taken away, best first."""
-    words = re.sub(r"[_\s]+", " ", category).strip().lower().split()
-    whole = [" ".join(words)] if words else []
-    for word in ("of", "with", "for", "in", "on", "and"):
-        if word in words[1:]:
-            whole += _phrases(" ".join(words[: words.index(word, 1)]))
-    return whole + [" ".join(words[start:]) for start in range(1, len(words))]
-
-
-def _singular(phrase: str) -> str:
-    if phrase.endswith("ches") or phrase.endswith("shes") or phrase.endswith("xes"):
-        return phrase[:-2]
-    if phrase.endswith("shelves"):
-        return phrase[:-3] + "f"
-    return phrase[:-1] if phrase.endswith("s") and not phrase.endswith("ss") else phrase
