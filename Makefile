@@ -17,8 +17,7 @@ OPTIONS ?=
 .PHONY: benchmark table-two test proof test-local-llm check bench setup install clean
 
 benchmark: install
-	$(BIN)/memorymaze evaluate --agent guide --workers $(WORKERS) --out $(RUN) --resume
-	$(BIN)/memorymaze table $(RUN)
+	$(BIN)/memorymaze benchmark --workers $(WORKERS) --out $(RUN)
 
 # Every method of the paper's Table II, from recorded answers or on a sample with any model,
 # which is asked and then replayed from its replies: that must give the same table. OPTIONS
