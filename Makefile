@@ -2,7 +2,9 @@
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
-INPUTS := pyproject.toml constraints.txt scripts/setup.sh scripts/setup_node_packages.sh
+# The version stands in __init__.py.
+INPUTS := pyproject.toml constraints.txt src/memorymaze/__init__.py scripts/setup.sh \
+	scripts/setup_node_packages.sh
 WORKERS ?= 0
 # Results belong to the code that made them, so each version has a run folder of its own.
 VERSION := $(shell git rev-parse --short HEAD 2>/dev/null || echo release)

@@ -21,7 +21,10 @@ def add_parser(verbs: Verbs) -> None:
         "--limit", metavar="N", help="at most this many, alike many of each route"
     )
     parser.add_argument(
-        "--workers", metavar="N", default="0", help="processes (default: 0, one per core)"
+        "--workers",
+        metavar="N",
+        default="0",
+        help="processes (default: 0, one per core)",
     )
     parser.add_argument(
         "--out",
