@@ -16,7 +16,7 @@ LIMIT ?= 12
 TABLE_TWO ?= runs/table-two-$(VERSION)
 OPTIONS ?=
 
-.PHONY: benchmark table-two test proof test-local-llm check bench setup install clean
+.PHONY: benchmark table-two test proof test-local-llm check wheel-check bench setup install clean
 
 benchmark: install
 	$(BIN)/memorymaze benchmark --workers $(WORKERS) --out $(RUN)
@@ -60,10 +60,14 @@ test-local-llm: setup
 check: setup
 	$(BIN)/ruff format --check .
 	$(BIN)/ruff check .
-	$(BIN)/codespell README.md CHANGELOG.md docs src tests benchmarks examples scripts
+	$(BIN)/codespell README.md CHANGELOG.md CONTRIBUTING.md docs src tests benchmarks examples scripts
 	$(BIN)/pyright
 	$(BIN)/lint-imports
 	$(BIN)/pytest -n auto
+
+# What a release would hand out, into dist/, and tried in an environment outside of here.
+wheel-check: setup
+	$(BIN)/python scripts/check_release.py
 
 bench: setup
 	$(BIN)/python -m benchmarks
@@ -83,4 +87,4 @@ $(VENV)/.ready: $(INPUTS)
 	touch $@ $(VENV)/.installed
 
 clean:
-	rm -rf $(VENV) runs .pytest_cache .ruff_cache .hypothesis .import_linter_cache
+	rm -rf $(VENV) dist runs .pytest_cache .ruff_cache .hypothesis .import_linter_cache
