@@ -5,7 +5,6 @@ floor is a destination, from two turns away, told by a plan that names the turns
 destination and its side: `python -m benchmarks.arrival [--sample N]` (docs/benches.md).
 """
 
-import json
 import math
 import sys
 from collections import Counter
@@ -36,7 +35,7 @@ from memorymaze.geometry.pose import heading_to, turn_between
 from memorymaze.metrics.success import success_within
 from memorymaze.perception.matching import points_elsewhere
 from memorymaze.routes import Leg, RoutePlan
-from memorymaze.sites import Route, RouteTurn, Site, load_site
+from memorymaze.sites import Route, RouteTurn, Site
 from memorymaze.tables import Column, Table
 from memorymaze.writing.route_facts import RouteFacts
 from memorymaze.writing.steps import SIDES
@@ -309,35 +308,13 @@ def plain_plan(facts: RouteFacts) -> RoutePlan | None:
 
 
 def with_ways(site: Site, cases: Sequence[ArrivalCase], folder: Path) -> Site:
-    """Write a site's plan with the ways of cases, and load it."""
-    document = json.loads(site.plan)
-    for case in cases:
-        route = case.route
-        document["features"].append({
-            "type": "Feature",
-            "id": route.id,
-            "geometry": {
-                "type": "LineString",
-                "coordinates": [[*map(float, each[:2])] for each in route.line.coords],
-            },
-            "properties": {
-                "kind": "route",
-                "route": route.route,
-                "role": route.role,
-                "start_heading_deg": math.degrees(route.start_heading),
-                "goal": route.goal,
-                "goal_landmark": route.goal_landmark,
-                "length_m": None,
-                "turns": [
-                    {"at": turn.at, "direction": turn.direction} for turn in route.turns
-                ],
-                "note": "",
-            },
-        })
+    """Return a site with the ways of cases, and write its plan."""
     folder.mkdir(parents=True, exist_ok=True)
     path = folder / f"{site.name}.geojson"
-    path.write_text(json.dumps(document), encoding="utf-8")
-    return load_site(path)
+    routes = (*site.routes, *(case.route for case in cases))
+    whole = replace(site, routes=routes, source=str(path))
+    whole.save(path)
+    return whole
 
 
 def arrival_row(kind: str, walks: Sequence[PlanWalk]) -> dict[str, object]:

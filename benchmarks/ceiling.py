@@ -448,7 +448,7 @@ class Readings:
         goal = in_frame(episode.start, episode.goal)
         if best is None:
             return Meaning(episode, False, math.inf, 0.0, False, ("it ends nowhere",))
-        route = self._sites[told.site].route(told.reference_route)
+        route = self._sites[told.site].find_route(told.reference_route)
         turns = TurnsOfRoute(route, self._graph(told.site))
         maps = self.maps(told.site)
         names = {number: point for point, number in maps.numbers.items()}

@@ -29,7 +29,7 @@ from memorymaze.errors import SitePlanError
 from memorymaze.evaluation.settings import RunSettings
 from memorymaze.instructions import Instruction
 from memorymaze.routes import RoutePlan
-from memorymaze.sites import Route, Site, load_site
+from memorymaze.sites import Route, Site
 from memorymaze.tables import Column, Table
 from memorymaze.writing import ErrorRates, cells_of, sample_outlines
 from memorymaze.writing.speakers import EXACT, draw_speaker, tell_plan
@@ -84,9 +84,8 @@ def made_floors(
     for kind, seeds in floors.items():
         for number in seeds:
             building = make_building(kind, number)
-            path = folder / f"{building.name}.geojson"
-            path.write_bytes(building.plan)
-            yield kind, load_site(path)
+            building.save(folder / f"{building.name}.geojson")
+            yield kind, building
 
 
 def floor_seeds(seed: int, made: int) -> range:

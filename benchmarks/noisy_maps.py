@@ -4,7 +4,6 @@
 of each kind, imports them and holds the plans against the true ones (docs/importing.md).
 """
 
-import json
 import math
 import tempfile
 from collections.abc import Iterator, Sequence
@@ -176,25 +175,23 @@ def _covered(
     return whole.length, whole.intersection(near).length
 
 
-def floors(folder: Path) -> Iterator[Site]:
+def floors() -> Iterator[Site]:
     """Yield the benchmark's floors, and a made building of each kind."""
     for name in BUILTIN_SITE_NAMES:
         yield load_site(name)
     for kind in BUILDING_KINDS:
-        building = make_building(kind, SEED)
-        path = folder / f"{building.name}.geojson"
-        path.write_bytes(building.plan)
-        yield load_site(path)
+        yield make_building(kind, SEED)
 
 
 def measure(site: Site, noise: Noise, folder: Path) -> Comparison:
     """Return how a site comes back from a map."""
     rng = np.random.default_rng(SEED)
     path, _ = write_map(folder / site.name, site.walkable_floor, noise, rng)
+    imported = import_ros_map(path).site
     plan = folder / f"{site.name}_map.geojson"
-    plan.write_text(json.dumps(import_ros_map(path).plan), encoding="utf-8")
+    imported.save(plan)
     errors = sum(each.severity == "error" for each in find_site_problems(plan))
-    return compare(site, load_site(plan), noise.turned_deg, errors)
+    return compare(site, imported, noise.turned_deg, errors)
 
 
 def main() -> None:
@@ -202,7 +199,7 @@ def main() -> None:
     rows: list[dict[str, object]] = []
     with tempfile.TemporaryDirectory() as made:
         folder = Path(made)
-        sites = list(floors(folder))
+        sites = list(floors())
         own = len(BUILTIN_SITE_NAMES)
         for level, noise in LEVELS.items():
             found = [measure(site, noise, folder) for site in sites]

@@ -30,18 +30,11 @@ import shapely
 from shapely import LineString, Polygon, STRtree, union_all
 
 import carla
-from benchmarks.made_buildings import made_site
-from memorymaze.construction import BUILDING_KINDS
+from memorymaze.construction import BUILDING_KINDS, make_building
 from memorymaze.exporting.opendrive import LANE_TYPES, LaneType, opendrive
-from memorymaze.importing.cabot import import_cabot
-from memorymaze.importing.imdf import import_imdf
-from memorymaze.importing.imported import ImportedSite
-from memorymaze.importing.osm import import_osm
-from memorymaze.importing.reference_route import reference_route
+from memorymaze.importing import import_site
 from memorymaze.sites import BUILTIN_SITE_NAMES, Site, load_site
-from memorymaze.sites.loading import sound_site
 from memorymaze.sites.navigation_graph import navigation_graph
-from memorymaze.sites.reading import understand_plan
 
 SAMPLE = 0.25
 """Metres along a lane between the places where CARLA is asked for its borders."""
@@ -312,24 +305,15 @@ def imported_sites() -> Iterator[Site]:
             EXAMPLES / "quay_house_MapData.geojson",
             EXAMPLES / "lantern_building.osm",
         )
-        for imported, route in (
-            (import_cabot(quay, "2F"), ("Elevator", "Rope Workshop")),
-            (import_cabot(quay, "1F"), None),
-            (import_imdf(archive, "1"), ("Reception", "Dye lab")),
-            (import_imdf(archive, "G"), None),
-            (import_osm(lantern, "3"), None),
-            (import_osm(lantern, "2"), None),
+        for file, kind, floor, routes in (
+            (quay, "cabot", "2F", [("Elevator", "Rope Workshop")]),
+            (quay, "cabot", "1F", []),
+            (archive, "imdf", "1", [("Reception", "Dye lab")]),
+            (archive, "imdf", "G", []),
+            (lantern, "osm", "3", []),
+            (lantern, "osm", "2", []),
         ):
-            yield _with_route(imported, route)
-
-
-def _with_route(imported: ImportedSite, ends: tuple[str, str] | None) -> Site:
-    plan = dict(imported.plan)
-    site = sound_site(understand_plan(plan), f"{plan['name']}.geojson")
-    if ends is None:
-        return site
-    plan["features"] = [*plan["features"], reference_route(site, *ends)]
-    return sound_site(understand_plan(plan), f"{plan['name']}.geojson")
+            yield import_site(file, kind, floor=floor, routes=routes).site
 
 
 def row(verdict: OpenDriveVerdict) -> str:
@@ -357,7 +341,7 @@ def all_sites(made: int) -> Iterator[Site]:
         yield load_site(name)
     for kind in BUILDING_KINDS:
         for seed in range(made):
-            yield made_site(kind, seed)
+            yield make_building(kind, seed)
     yield from imported_sites()
 
 

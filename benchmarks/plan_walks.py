@@ -28,7 +28,7 @@ from memorymaze.instructions import Corpus, Instruction
 from memorymaze.instructions.corpus import episodes
 from memorymaze.metrics.aggregate import participant_bootstrap
 from memorymaze.routes import RoutePlan, plan_record
-from memorymaze.sites import BUILTIN_SITE_NAMES, Route, Site, load_site, load_sites
+from memorymaze.sites import BUILTIN_SITE_NAMES, Route, Site, load_sites
 from memorymaze.tables import Column
 
 RESAMPLES = 2000
@@ -184,9 +184,8 @@ def buildings(options: argparse.Namespace) -> dict[str, Site]:
     for number in range(options.made):
         seed, kind = divmod(number, len(BUILDING_KINDS))
         building = make_building(BUILDING_KINDS[kind], seed)
-        path = folder / f"{building.name}.geojson"
-        path.write_bytes(building.plan)
-        sites[building.name] = load_site(path)
+        building.save(folder / f"{building.name}.geojson")
+        sites[building.name] = building
     return sites
 
 

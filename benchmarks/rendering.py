@@ -60,7 +60,7 @@ def milliseconds(draw: Callable[[Pose], object], poses: list[Pose]) -> float:
 
 def along_route(site: Site) -> list[Pose]:
     """Return evenly spaced poses that look along the route."""
-    line = site.reference_route(ROUTE).line
+    line = site.find_route(ROUTE).line
     poses: list[Pose] = []
     for number in range(POSES):
         along = (line.length - 0.6) * number / (POSES - 1)

@@ -103,7 +103,7 @@ def recorded_twins(
     for episode in sample(right, count):
         told = episode.instruction
         site = corpus.sites[told.site]
-        route = site.route(told.reference_route)
+        route = site.find_route(told.reference_route)
         plan = plans[told.id]
         legs = legs_of_turns(plan, RouteFacts(graphs[site.name], route))
         if legs is not None:

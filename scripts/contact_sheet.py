@@ -23,9 +23,9 @@ from memorymaze.pictures.looks.assembly import Order
 from memorymaze.pictures.looks.catalogue import archetype_of
 from memorymaze.pictures.rendering.camera import RenderedCamera
 from memorymaze.pictures.rendering.visual_scene import build_visual_scene
-from memorymaze.simulation.solids import landmark_solid
 from memorymaze.sites import load_sites
 from memorymaze.sites.records import Area, Landmark, Mount, Site
+from memorymaze.sites.solids import landmark_solid
 
 CELL, LABEL, GAP = 180, 15, 3
 """Pixels of a picture's side, of the line under it, and between pictures."""

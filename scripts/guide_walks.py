@@ -65,7 +65,7 @@ def main() -> None:
             print(f"success {result.success}, {result.path_length:.0f} m")
             entries = list(read_trace(Path(runs) / "run", result.episode_id))
             [walk] = [each for each in entries if isinstance(each, TrajectoryEntry)]
-            route = site.route(told.reference_route)
+            route = site.find_route(told.reference_route)
             path = folder / f"{name}.jpg"
             picture = _picture(site, route, np.array(walk.poses), entries)
             picture.save(path, quality=85, optimize=True)

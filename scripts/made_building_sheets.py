@@ -4,7 +4,6 @@ python scripts/made_building_sheets.py --out docs/images
 """
 
 import argparse
-import json
 import tempfile
 from collections.abc import Sequence
 from itertools import pairwise
@@ -18,8 +17,6 @@ from memorymaze.drawing.plan_picture import draw_site
 from memorymaze.geometry.pose import Pose, heading_to
 from memorymaze.pictures.rendering import RenderedCamera, build_visual_scene
 from memorymaze.sites import Route, Site
-from memorymaze.sites.loading import sound_site
-from memorymaze.sites.reading import understand_plan
 
 EACH = 3
 """Floors of each kind."""
@@ -37,17 +34,13 @@ def main() -> None:
     parser.add_argument("--out", type=Path, default=Path("docs/images"), metavar="DIR")
     out: Path = parser.parse_args().out
     floors = [
-        drawn(made(kind, seed)) for kind in BUILDING_KINDS for seed in range(EACH)
+        drawn(make_building(kind, seed))
+        for kind in BUILDING_KINDS
+        for seed in range(EACH)
     ]
     save(sheet(floors, 4), out / "made_buildings.jpg")
-    views = [view for kind in VIEWED for view in seen(made(kind, 0))]
+    views = [view for kind in VIEWED for view in seen(make_building(kind, 0))]
     save(sheet(views, 4), out / "made_building_views.jpg")
-
-
-def made(kind: str, seed: int) -> Site:
-    """Return a made floor."""
-    building = make_building(kind, seed)
-    return sound_site(understand_plan(json.loads(building.plan)), building.name)
 
 
 def drawn(site: Site) -> Image.Image:
@@ -67,7 +60,7 @@ def drawn(site: Site) -> Image.Image:
 def seen(site: Site) -> list[Image.Image]:
     """Return what a robot sees at four places along a route."""
     scene = build_visual_scene(site)
-    poses = poses_along(site.reference_route("R2"))
+    poses = poses_along(site.find_route("R2"))
     with RenderedCamera(scene, 2 * VIEW_WIDTH, 2 * VIEW_HEIGHT) as camera:
         return [Image.fromarray(camera.frame(pose).rgb).reduce(2) for pose in poses]
 

@@ -1,6 +1,5 @@
 """The picture of docs/importing.md: a site's own looks above, those of its mesh below."""
 
-import json
 import math
 import tempfile
 from pathlib import Path
@@ -10,7 +9,6 @@ from PIL import Image
 
 from memorymaze.exporting import export_site
 from memorymaze.geometry.pose import Pose
-from memorymaze.importing.mesh import import_mesh
 from memorymaze.pictures.rendering import RenderedCamera, build_visual_scene
 from memorymaze.sites import load_site
 
@@ -23,7 +21,7 @@ with tempfile.TemporaryDirectory() as folder:
     mesh = Path(folder) / "university_mesh.glb"
     export_site(own, "gltf", mesh)
     plan = mesh.with_suffix(".geojson")
-    plan.write_text(json.dumps(import_mesh(mesh).plan), encoding="utf-8")
+    plan.write_bytes(Path(own.source).read_bytes())
     rows = []
     for site, looks in ((own, "own"), (load_site(plan), "mesh")):
         scene = build_visual_scene(site, looks=looks)

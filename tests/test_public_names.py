@@ -8,7 +8,7 @@ import memorymaze
 PUBLIC = """
 Agent AgentSettings Comparison Corpus Episode Instruction Journal ModelSettings
 ObstacleSettings Robot Run RunSettings SimulationSettings Site SteppingRobot Table Walk __version__ compare
-evaluate follow load_corpus load_run load_site make_robot
+evaluate export_site follow import_site load_corpus load_run load_site make_building make_robot
 """
 """The front door. Whoever takes a name from here breaks users' programs."""
 

@@ -15,7 +15,10 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from memorymaze.agents.agent import Agent, Journal
+    from memorymaze.construction import make_building
     from memorymaze.evaluation.settings import AgentSettings, RunSettings
+    from memorymaze.exporting import export_site
+    from memorymaze.importing import import_site
     from memorymaze.instructions.corpus import load_corpus
     from memorymaze.instructions.records import Corpus, Episode, Instruction
     from memorymaze.language.model_settings import ModelSettings
@@ -58,16 +61,22 @@ __all__ = [
     "__version__",
     "compare",
     "evaluate",
+    "export_site",
     "follow",
+    "import_site",
     "load_corpus",
     "load_run",
     "load_site",
+    "make_building",
     "make_robot",
 ]
 
 _ROOMS = {
     "agents.agent": ("Agent", "Journal"),
+    "construction": ("make_building",),
     "evaluation.settings": ("AgentSettings", "RunSettings"),
+    "exporting": ("export_site",),
+    "importing": ("import_site",),
     "instructions.corpus": ("load_corpus",),
     "instructions.records": ("Corpus", "Episode", "Instruction"),
     "language.model_settings": ("ModelSettings",),

@@ -112,7 +112,7 @@ def test_the_guide_walks_the_plans_in_a_file_of_answers(
 def test_a_text_that_is_a_plan_is_walked_as_it_stands(
     name: str, crossing_site: Site
 ) -> None:
-    route = crossing_site.reference_route("R1")
+    route = crossing_site.find_route("R1")
     turns = tuple(Leg(Turn(each.direction)) for each in route.turns)
     plan = RoutePlan(legs=turns, arrival=Arrival((route.goal,)))
     agent = AgentSettings(name, options=(("reader", "plan"),))

@@ -69,7 +69,7 @@ def test_plans_that_take_other_turns_are_listed(tiny_corpus: Corpus) -> None:
     episode = next(
         each for each in tiny_corpus.episodes if not each.instruction.failures
     )
-    route = tiny_corpus.sites[episode.instruction.site].route(
+    route = tiny_corpus.sites[episode.instruction.site].find_route(
         episode.instruction.reference_route
     )
     legs = tuple(Leg(Turn(each.direction)) for each in route.turns)

@@ -26,7 +26,7 @@ SIDES = ("right", "left", "right", "left")
 @pytest.fixture(scope="module")
 def facts(builtin_sites: dict[str, Site]) -> RouteFacts:
     site = builtin_sites["university"]
-    return RouteFacts(TurningPointGraph(site), site.reference_route("R1"))
+    return RouteFacts(TurningPointGraph(site), site.find_route("R1"))
 
 
 @pytest.fixture(scope="module")

@@ -11,7 +11,7 @@ from memorymaze.geometry.grid import FloorGrid
 from memorymaze.geometry.pose import heading_to, turn_between
 from memorymaze.perception.lexicon import is_noun, singular
 from memorymaze.perception.signposts import signposts
-from memorymaze.pictures.looks.catalogue import archetype_of
+from memorymaze.sites.things import kind_of_thing
 from memorymaze.testing import check_site
 
 ARROWS = {"left": math.pi / 2, "ahead": 0.0, "right": -math.pi / 2}
@@ -168,7 +168,7 @@ def test_rooms_do_not_overlap(site):
 
 def test_everything_has_a_look_and_is_called_by_a_noun(site):
     for thing in site.landmarks:
-        assert archetype_of(thing.category) is not None, thing.category
+        assert kind_of_thing(thing.category) is not None, thing.category
         assert is_noun(singular(thing.category.lower().split()[-1])), thing.category
 
 
@@ -178,5 +178,5 @@ def test_everything_has_a_look_and_is_called_by_a_noun(site):
 def test_the_oracle_walks_every_route_of_200_buildings_untouched(kind, seed, tmp_path):
     building = make_building(kind, seed)
     path = tmp_path / f"{building.name}.geojson"
-    path.write_bytes(building.plan)
+    building.save(path)
     check_site(path)

@@ -6,13 +6,18 @@ import pytest
 from numpy.typing import NDArray
 
 from memorymaze.datasets.frame_videos import (
+    COLOURS,
+    DEPTHS,
     FARTHEST,
+    FPS,
     LAST_CODE,
     NEAREST,
     SHIFT,
-    FrameVideo,
+    colour_frame,
     depth_codes,
+    depth_frame,
 )
+from memorymaze.pictures.films.video_file import VideoFile
 
 
 def metres_of(codes: NDArray[np.uint16]) -> NDArray[np.float64]:
@@ -30,9 +35,9 @@ def test_depth_comes_out_of_the_video_as_it_went_in(tmp_path: Path) -> None:
     frames = [rng.uniform(0.3, 40.0, (48, 64)).astype(np.float32) for _ in range(5)]
     frames[2][:, 10] = np.inf
     path = tmp_path / "depth.mp4"
-    with FrameVideo(path, (64, 48), depth=True) as video:
+    with VideoFile(path, (64, 48), FPS, DEPTHS) as video:
         for frame in frames:
-            video.add(frame)
+            video.add(depth_frame(frame))
     with av.open(str(path)) as container:
         found = [each.to_ndarray(format="gray12le") for each in container.decode()]
     assert len(found) == len(frames)
@@ -41,11 +46,11 @@ def test_depth_comes_out_of_the_video_as_it_went_in(tmp_path: Path) -> None:
 
 
 def test_colours_keep_their_order_and_their_times(tmp_path: Path) -> None:
-    path = tmp_path / "new folder" / "colours.mp4"
+    path = tmp_path / "colours.mp4"
     levels = range(0, 250, 25)
-    with FrameVideo(path, (64, 48), depth=False) as video:
+    with VideoFile(path, (64, 48), FPS, COLOURS) as video:
         for level in levels:
-            video.add(np.full((48, 64, 3), level, dtype=np.uint8))
+            video.add(colour_frame(np.full((48, 64, 3), level, dtype=np.uint8)))
     with av.open(str(path)) as container:
         frames = [
             (each.time, each.to_ndarray(format="rgb24").mean())

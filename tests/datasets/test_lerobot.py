@@ -32,7 +32,7 @@ TEXTS = ("Left at the bend.", "To the right, then stop.", "Left at the bend.")
 def building(tiny_sites_folder: Path) -> FinishedBuilding:
     """A building with three texts on one route, the second of them wrong."""
     site = load_site(tiny_sites_folder / "l_shape.geojson")
-    route = site.reference_route("R1")
+    route = site.find_route("R1")
     texts = [
         Instruction(
             id=f"text-{number}",

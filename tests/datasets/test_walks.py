@@ -16,7 +16,7 @@ from memorymaze.sites import load_site
 @pytest.mark.parametrize("name", ["corridor", "l_shape", "slanted_crossing"])
 def test_a_walk_by_steps_ends_at_the_goal(name: str, tiny_sites_folder: Path) -> None:
     site = load_site(tiny_sites_folder / f"{name}.geojson")
-    route = site.reference_route("R1")
+    route = site.find_route("R1")
     walk = walk_by_steps(build_scene(site), route)
     assert math.dist(walk.poses[-1, :2], route.line.coords[-1][:2]) < 0.2
     assert walk.actions.tolist().index(STOP) == len(walk) - 1
@@ -24,7 +24,7 @@ def test_a_walk_by_steps_ends_at_the_goal(name: str, tiny_sites_folder: Path) ->
 
 def test_each_action_leads_to_the_next_pose(tiny_sites_folder: Path) -> None:
     site = load_site(tiny_sites_folder / "l_shape.geojson")
-    walk = walk_by_steps(build_scene(site), site.reference_route("R1"))
+    walk = walk_by_steps(build_scene(site), site.find_route("R1"))
     moved = np.diff(walk.poses, axis=0)
     metres = np.hypot(moved[:, 0], moved[:, 1])
     turned = np.remainder(moved[:, 2] + math.pi, math.tau) - math.pi
@@ -39,7 +39,7 @@ def test_each_action_leads_to_the_next_pose(tiny_sites_folder: Path) -> None:
 
 def test_a_way_through_a_wall_is_no_walk(tiny_sites_folder: Path) -> None:
     site = load_site(tiny_sites_folder / "corridor.geojson")
-    route = site.reference_route("R1")
+    route = site.find_route("R1")
     x, y = route.line.coords[0][:2]
     aside = route.start_heading + math.pi / 2
     end = (x + 9 * math.cos(aside), y + 9 * math.sin(aside))

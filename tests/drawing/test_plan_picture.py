@@ -155,7 +155,7 @@ def test_the_picture_of_a_walk_shows_its_surroundings_and_what_came_of_it(
     builtin_sites: dict[str, Site], tmp_path: Path
 ):
     site = builtin_sites["university"]
-    route = site.reference_route("R1")
+    route = site.find_route("R1")
     path = tmp_path / "walk.svg"
     sheet = draw_walk(
         site,

@@ -22,7 +22,7 @@ from memorymaze.drawing.plan_picture import (
     picture_of,
 )
 from memorymaze.drawing.shapes import bounds_of
-from memorymaze.sites import Route, Site, load_site
+from memorymaze.sites import Route, Site
 from memorymaze.sites.navigation_graph import navigation_graph
 
 SHIPPED = ("university", "museum_5f", "museum_7f")
@@ -78,15 +78,12 @@ def test_a_picture_names_what_it_shows_and_nothing_else(
 def building(
     request: pytest.FixtureRequest,
     builtin_sites: dict[str, Site],
-    tmp_path_factory: pytest.TempPathFactory,
 ) -> Site:
     """A shipped building, or one of each kind that was made."""
     name: BuildingKind | str = request.param
     if name in builtin_sites:
         return builtin_sites[name]
-    path = tmp_path_factory.mktemp("made") / f"{name}.geojson"
-    path.write_bytes(make_building(name, 2).plan)
-    return load_site(path)
+    return make_building(name, 2)
 
 
 @pytest.mark.proof

@@ -91,7 +91,7 @@ def test_the_fair_budget_goes_by_the_longest_route_and_tells_no_other() -> None:
 def test_released_budgets_are_too_short_for_the_longest_route(
     builtin_sites: dict[str, Site],
 ) -> None:
-    longest = builtin_sites["university"].reference_route("R2")
+    longest = builtin_sites["university"].find_route("R2")
     assert perfect_steps(longest) > 500
 
 

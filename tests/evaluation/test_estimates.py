@@ -85,7 +85,10 @@ def test_a_run_tells_how_often_it_will_ask() -> None:
 
     fewest, most = asked()
     metres = sum(
-        plan.sites[each.instruction.site].route(each.instruction.reference_route).length
+        plan
+        .sites[each.instruction.site]
+        .find_route(each.instruction.reference_route)
+        .length
         for each in plan.episodes
     )
     assert metres / 0.75 < fewest < most

@@ -29,7 +29,7 @@ def walk(*corners: tuple[float, float]) -> Trajectory:
 
 
 def along(site: Site, route_id: str) -> Trajectory:
-    return walk(*(point[:2] for point in site.route(route_id).line.coords))
+    return walk(*(point[:2] for point in site.find_route(route_id).line.coords))
 
 
 def test_walking_a_route_takes_all_its_turns(tiny_sites: dict[str, Site]) -> None:
@@ -39,7 +39,7 @@ def test_walking_a_route_takes_all_its_turns(tiny_sites: dict[str, Site]) -> Non
 
 
 def test_the_wrong_turn_counts_nothing(t_site: Site) -> None:
-    left, right = t_site.reference_route("R1"), t_site.reference_route("R2")
+    left, right = t_site.find_route("R1"), t_site.find_route("R2")
     assert site_turns_taken(t_site, along(t_site, right.id)) == [
         TurnAtPlace("tp_junction", "right")
     ]
@@ -47,7 +47,7 @@ def test_the_wrong_turn_counts_nothing(t_site: Site) -> None:
 
 
 def test_part_of_the_turns_gives_their_share(loop_site: Site) -> None:
-    route = loop_site.route("route_r1_alternative")
+    route = loop_site.find_route("route_r1_alternative")
     *first, _ = [point[:2] for point in route.line.coords]
     assert route_turns_in_order(loop_site, route, walk(*first)) == pytest.approx(2 / 3)
 
@@ -60,4 +60,4 @@ def test_standing_still_takes_no_turn(corridor_site: Site, t_site: Site) -> None
     stand = Trajectory([TimedPose(0.0, 2.0, 0.0, 0.0)])
     [route] = corridor_site.routes
     assert route_turns_in_order(corridor_site, route, stand) == 1.0
-    assert route_turns_in_order(t_site, t_site.reference_route("R1"), stand) == 0.0
+    assert route_turns_in_order(t_site, t_site.find_route("R1"), stand) == 0.0

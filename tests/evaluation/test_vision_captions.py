@@ -38,7 +38,7 @@ def shoot(*_: Any) -> tuple[Picture, ...]:
 @pytest.fixture
 def robot(corridor_site: Site) -> SimulatedRobot:
     return SimulatedRobot(
-        build_scene(corridor_site), corridor_site.reference_route("R1").start
+        build_scene(corridor_site), corridor_site.find_route("R1").start
     )
 
 

@@ -11,7 +11,8 @@ import trimesh
 
 from memorymaze.construction import make_building
 from memorymaze.exporting import export_site
-from memorymaze.sites import Site, load_site
+from memorymaze.sites import Site
+from memorymaze.sites.plan import site_plan
 
 Errors = Callable[[Path], list[dict[str, Any]]]
 
@@ -50,8 +51,7 @@ def test_every_feature_is_a_node_with_its_id_and_properties(
     corridor_glb: Path, corridor_site: Site
 ):
     nodes = {node["name"]: node for node in json_of(corridor_glb)["nodes"]}
-    plan = json.loads(corridor_site.plan)
-    for feature in plan["features"]:
+    for feature in site_plan(corridor_site)["features"]:
         wanted = {k: v for k, v in feature["properties"].items() if v is not None}
         if wanted["kind"] == "route":
             continue
@@ -108,9 +108,6 @@ def test_equal_things_share_a_mesh_and_textures_are_inside(corridor_glb: Path):
 def test_khronos_finds_nothing_wrong_with_large_buildings(
     builtin_sites: dict[str, Site], gltf_errors: Errors, tmp_path: Path
 ):
-    building = make_building("hospital", 3)
-    made = tmp_path / f"{building.name}.geojson"
-    made.write_bytes(building.plan)
-    for site in (*builtin_sites.values(), load_site(made)):
+    for site in (*builtin_sites.values(), make_building("hospital", 3)):
         (path,) = export_site(site, "gltf", tmp_path / f"{site.name}.glb")
         assert gltf_errors(path) == [], site.name

@@ -12,6 +12,7 @@ from memorymaze.pictures.rendering import RenderedCamera, build_visual_scene
 from memorymaze.pictures.rendering.open_gl import open_context
 from memorymaze.simulation.scene import build_scene
 from memorymaze.sites import Site
+from memorymaze.sites.plan import site_plan
 
 GROUP_OF_SOLIDS = 3
 
@@ -62,7 +63,7 @@ def distances(
 def test_every_feature_is_a_body_with_a_text_that_says_what_it_is(
     corridor_model: mujoco.MjModel, corridor_site: Site
 ):
-    for feature in json.loads(corridor_site.plan)["features"]:
+    for feature in site_plan(corridor_site)["features"]:
         if feature["properties"]["kind"] == "route":
             continue
         assert corridor_model.body(feature["id"]).id > 0

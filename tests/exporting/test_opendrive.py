@@ -7,6 +7,7 @@ from xml.etree import ElementTree
 
 import pytest
 
+from memorymaze.construction import make_building
 from memorymaze.exporting.opendrive import LANE_TYPES, LaneType, opendrive
 from memorymaze.geometry.pose import Pose, turn_between
 from memorymaze.sites import BUILTIN_SITE_NAMES, Site, load_site
@@ -14,7 +15,6 @@ from memorymaze.sites.records import Anchor
 
 carla = pytest.importorskip("carla", reason="CARLA's client reads the files here")
 
-from benchmarks.made_buildings import made_site  # noqa: E402
 from benchmarks.opendrive import CarlaReading, OpenDriveVerdict, judge  # noqa: E402
 
 TINY = (
@@ -63,7 +63,7 @@ def test_a_shipped_floor_is_read_as_it_is(name: str):
 
 @pytest.mark.parametrize("kind", ["mall", "museum", "airport"])
 def test_a_made_floor_is_read_as_it_is(kind: str):
-    assert complaints(judge(made_site(kind, 1))) == []
+    assert complaints(judge(make_building(kind, 1))) == []
 
 
 def narrowed(root: ElementTree.Element) -> None:

@@ -1,4 +1,3 @@
-import json
 from pathlib import Path
 
 import pytest
@@ -7,7 +6,8 @@ from pxr import Usd, UsdGeom, UsdSemantics, UsdShade, UsdValidation
 from memorymaze.construction import make_building
 from memorymaze.errors import SettingsError
 from memorymaze.exporting import export_site
-from memorymaze.sites import Site, load_site
+from memorymaze.sites import Site
+from memorymaze.sites.plan import site_plan
 
 
 @pytest.fixture(scope="module")
@@ -54,8 +54,7 @@ def test_every_feature_is_a_prim_with_its_properties_and_a_class(
         for each in stage.GetPrimAtPath("/corridor").GetChildren()
     }
     door, bench = corridor_site.doors[0], corridor_site.landmarks[0]
-    features = json.loads(corridor_site.plan)["features"]
-    for feature in features:
+    for feature in site_plan(corridor_site)["features"]:
         if feature["properties"]["kind"] == "route":
             continue
         prim = prims[feature["id"]]
@@ -101,9 +100,6 @@ def test_without_the_package_it_says_what_to_install(
 def test_openusd_finds_nothing_wrong_with_large_buildings(
     builtin_sites: dict[str, Site], tmp_path: Path
 ):
-    building = make_building("hospital", 3)
-    made = tmp_path / f"{building.name}.geojson"
-    made.write_bytes(building.plan)
-    for site in (*builtin_sites.values(), load_site(made)):
+    for site in (*builtin_sites.values(), make_building("hospital", 3)):
         files = export_site(site, "usd", tmp_path / site.name)
         assert errors_in(files[0]) == [], site.name

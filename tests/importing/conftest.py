@@ -3,9 +3,9 @@
 None of the buildings in `data/` exists; the files keep the exact formats.
 """
 
-import json
 import zipfile
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +15,7 @@ from memorymaze.importing.imported import ImportedSite
 from memorymaze.importing.reference_route import reference_route
 from memorymaze.sites import Site, load_site
 from memorymaze.sites import find_site_problems as problems_of
+from memorymaze.sites.plan import site_plan
 from memorymaze.testing import check_site
 
 DATA = Path(__file__).parent / "data"
@@ -49,12 +50,10 @@ def walked(tmp_path: Path) -> Walk:
     """Write a plan with a route and let the oracle walk it."""
 
     def walk(imported: ImportedSite, start: str, goal: str) -> Site:
-        plan = dict(imported.plan)
-        path = tmp_path / f"{plan['name']}.geojson"
-        path.write_text(json.dumps(plan), encoding="utf-8")
-        route = reference_route(load_site(path), start, goal)
-        plan["features"] = [*plan["features"], route]
-        path.write_text(json.dumps(plan), encoding="utf-8")
+        site = imported.site
+        routed = replace(site, routes=(reference_route(site, start, goal),))
+        path = tmp_path / f"{site.name}.geojson"
+        routed.save(path)
         check_site(path)
         return load_site(path)
 
@@ -66,10 +65,11 @@ def loaded(tmp_path: Path) -> Callable[..., Site]:
     """Write an imported plan, see that it breaks no rule, and load it."""
 
     def load(imported: ImportedSite) -> Site:
-        path = tmp_path / f"{imported.plan['name']}.geojson"
-        path.write_text(json.dumps(imported.plan))
+        path = tmp_path / f"{imported.site.name}.geojson"
+        imported.site.save(path)
         assert [each for each in problems_of(path) if each.severity == "error"] == []
-        return load_site(path)
+        assert load_site(path) == imported.site
+        return imported.site
 
     return load
 
@@ -79,7 +79,8 @@ def kinds() -> Callable[[ImportedSite, str], list[dict[str, Any]]]:
     """Properties of the features of a kind in an imported plan."""
 
     def of(imported: ImportedSite, kind: str) -> list[dict[str, Any]]:
-        properties = [each["properties"] for each in imported.plan["features"]]
+        features = site_plan(imported.site)["features"]
+        properties = [each["properties"] for each in features]
         return [each for each in properties if each["kind"] == kind]
 
     return of

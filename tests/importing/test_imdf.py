@@ -31,9 +31,7 @@ def test_units_are_rooms_named_by_themselves_or_their_occupants(mill_court, kind
 
 def test_openings_are_doors_of_their_rooms(mill_court, kinds):
     imported = import_imdf(mill_court, "1")
-    rooms = {
-        each["id"]: each["properties"].get("name") for each in imported.plan["features"]
-    }
+    rooms = {room.id: room.name for room in imported.site.rooms}
     doors = {rooms[each["room"]]: each for each in kinds(imported, "door")}
     assert doors["Elevator"]["style"] == "elevator"
     assert doors["South stairs"]["style"] == "fire"
@@ -81,7 +79,7 @@ def test_levels_are_listed_where_none_is_chosen(mill_court):
 
 
 def test_the_ground_floor_is_another_plan(mill_court):
-    assert import_imdf(mill_court, "G").plan["floor"] == "G"
+    assert import_imdf(mill_court, "G").site.floor == "G"
 
 
 def test_what_is_no_zip_file_is_an_error(tmp_path):

@@ -17,6 +17,7 @@ from memorymaze.importing.cabot import import_cabot
 from memorymaze.importing.imdf import import_imdf
 from memorymaze.importing.osm import import_osm
 from memorymaze.sites.checking import plan_problems
+from memorymaze.sites.plan import plan_bytes
 from memorymaze.sites.reading import understand_plan
 
 DATA = Path(__file__).parent / "data"
@@ -61,8 +62,9 @@ def imported_or_refused(importer, path, floor):
     if refusal:
         assert str(path) in refusal
         return
-    plan = understand_plan(json.loads(json.dumps(imported.plan)))
-    problems = plan_problems(plan, Path(f"{imported.plan['name']}.geojson"))
+    site = imported.site
+    plan = understand_plan(json.loads(plan_bytes(site)))
+    problems = plan_problems(plan, Path(f"{site.name}.geojson"))
     assert [each.line() for each in problems if each.severity == "error"] == []
     assert imported.took
 

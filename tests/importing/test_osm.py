@@ -1,4 +1,5 @@
 import json
+from dataclasses import replace
 
 import pytest
 
@@ -33,9 +34,7 @@ def test_rooms_have_the_uses_that_their_tags_say(lantern_building, kinds):
 
 def test_doors_on_the_outline_lead_to_the_rooms_behind_them(lantern_building, kinds):
     imported = import_osm(lantern_building, "3")
-    rooms = {
-        each["id"]: each["properties"].get("name") for each in imported.plan["features"]
-    }
+    rooms = {room.id: room.name for room in imported.site.rooms}
     doors = {
         rooms.get(each["room"]) or each["label"]: each
         for each in kinds(imported, "door")
@@ -48,18 +47,8 @@ def test_doors_on_the_outline_lead_to_the_rooms_behind_them(lantern_building, ki
 
 def test_a_footway_beyond_the_outlines_is_floor_too(lantern_building):
     imported = import_osm(lantern_building, "3")
-    west = min(
-        x
-        for feature in imported.plan["features"]
-        if feature["properties"]["kind"] == "corridor"
-        for x, _ in feature["geometry"]["coordinates"][0]
-    )
-    east = max(
-        x
-        for feature in imported.plan["features"]
-        if feature["properties"]["kind"] == "corridor"
-        for x, _ in feature["geometry"]["coordinates"][0]
-    )
+    corridors = [each.polygon.bounds for each in imported.site.corridors]
+    west, east = min(each[0] for each in corridors), max(each[2] for each in corridors)
     assert east - west > 40
 
 
@@ -111,10 +100,8 @@ def test_an_answer_of_overpass_is_the_same_building(lantern_building, tmp_path):
         elements.append(raw)
     path = tmp_path / "lantern_building.json"
     path.write_text(json.dumps({"version": 0.6, "elements": elements}), "utf-8")
-    features = [
-        import_osm(each, "3").plan["features"] for each in (path, lantern_building)
-    ]
-    assert features[0] == features[1]
+    sites = [import_osm(each, "3").site for each in (path, lantern_building)]
+    assert replace(sites[0], description=sites[1].description) == sites[1]
 
 
 def test_a_way_that_is_made_of_itself_is_told(tmp_path):

@@ -1,12 +1,9 @@
-import json
 from dataclasses import replace
 
 import pytest
 
 from memorymaze.errors import SettingsError
 from memorymaze.importing.reference_route import reference_route
-from memorymaze.sites import load_site
-from memorymaze.sites.plan_writing import plan_bytes
 from memorymaze.testing import check_site
 
 
@@ -15,22 +12,11 @@ def routed(tmp_path):
     """Add a route to a site without routes, and see that an oracle walks it."""
 
     def add(site, start, goal):
-        feature = reference_route(replace(site, routes=()), start, goal)
-        document = json.loads(site.plan)
-        kept = [
-            each
-            for each in document["features"]
-            if each["properties"]["kind"] != "route"
-        ]
+        route = reference_route(replace(site, routes=()), start, goal)
         path = tmp_path / "routed.geojson"
-        members = {
-            name: document[name]
-            for name in document
-            if name not in ("type", "features")
-        }
-        path.write_bytes(plan_bytes({**members, "name": "routed"}, [*kept, feature]))
+        replace(site, name="routed", routes=(route,)).save(path)
         check_site(path)
-        return load_site(path).routes[0]
+        return route
 
     return add
 
@@ -49,13 +35,13 @@ def test_a_route_goes_to_things_in_the_open(builtin_sites, routed):
 
 def test_goals_have_the_names_that_people_know(t_site):
     made = reference_route(t_site, "0,-8", "library")
-    assert made["properties"]["goal"] == "Library"
+    assert made.goal == "Library"
 
 
 def test_the_next_route_has_the_next_number(l_site):
     names = {route.route for route in l_site.routes}
     made = reference_route(l_site, "1,0", l_site.doors[0].id)
-    assert made["properties"]["route"] not in names
+    assert made.route not in names
 
 
 @pytest.mark.parametrize(

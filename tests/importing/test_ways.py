@@ -7,10 +7,9 @@ from shapely import LineString, box, union_all
 
 from memorymaze.errors import ImportFileError
 from memorymaze.importing.centre_lines import centre_lines
-from memorymaze.importing.imported import CentreLine, ImportNotes
+from memorymaze.importing.imported import CentreLine, ImportNotes, imported_building
 from memorymaze.importing.ways import OpenArea, plan_floor
-from memorymaze.sites import find_site_problems, load_site
-from memorymaze.sites.plan_writing import plan_bytes
+from memorymaze.sites import find_site_problems
 
 
 @pytest.fixture
@@ -21,14 +20,11 @@ def planned(tmp_path):
         notes = ImportNotes()
         made = plan_floor(lines, notes, floor, areas)
         path = tmp_path / "floor.geojson"
-        header = {
-            "name": "floor", "title": "Floor", "floor": "1", "ceiling_height_m": 2.8,
-            "anchor": None, "description": "",
-        }  # fmt: skip
-        path.write_bytes(plan_bytes(header, made.features))
+        site = imported_building(path, "Floor", "1", None, made.parts)
+        site.save(path)
         wrong = [each for each in find_site_problems(path) if each.severity == "error"]
         assert wrong == []
-        return load_site(path), notes
+        return site, notes
 
     return plan
 

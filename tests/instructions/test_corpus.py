@@ -26,7 +26,7 @@ def test_every_shipped_instruction_becomes_an_episode_on_the_way_it_describes(
     assert len({episode.id for episode in made}) == 564
     for episode in made:
         site = builtin_sites[episode.instruction.site]
-        route = site.route(episode.instruction.reference_route)
+        route = site.find_route(episode.instruction.reference_route)
         assert episode.start == route.start
         assert episode.goal == route.line.coords[-1]
         assert episode.reference_path == tuple(route.line.coords)

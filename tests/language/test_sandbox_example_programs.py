@@ -47,7 +47,7 @@ def test_there_is_a_program_for_every_route_and_no_other():
 @pytest.mark.parametrize("path", sorted(PROGRAMS.glob("*.py")), ids=lambda p: p.stem)
 def test_a_program_reaches_its_goal_and_stops_there(path: Path):
     site, route_id = path.stem.split("__")
-    route = sites()[site].route(route_id)
+    route = sites()[site].find_route(route_id)
     robot = SimulatedRobot(scene(site), route.start, rng=np.random.default_rng(7))
     events: list[dict[str, object]] = []
 

@@ -65,7 +65,7 @@ def test_what_one_comes_from_is_behind_the_robot(
     builtin_sites: dict[str, Site], api_says: ApiSays
 ) -> None:
     api_says('what one comes from ("from the lifts") is behind it')
-    route = builtin_sites["museum_5f"].reference_route("R1")
+    route = builtin_sites["museum_5f"].find_route("R1")
     x, y, heading = route.start
     lifts = [
         each.line.interpolate(0.5, normalized=True)
@@ -391,6 +391,6 @@ def test_less_than_3_m_from_the_destination_is_there(
     corridor_site: Site, api_says: ApiSays, short_of_it: float, arrived: bool
 ) -> None:
     api_says("It counts as arrived less than 3 m from the destination, as one walks.")
-    length = corridor_site.reference_route("R1").length
+    length = corridor_site.find_route("R1").length
     walked = mm.follow("Go.", Walker(length - short_of_it), site=corridor_site)
     assert walked.success == arrived

@@ -34,7 +34,7 @@ def robot_in() -> Make:
     ) -> SimulatedRobot:
         return SimulatedRobot(
             build_scene(site),
-            start or site.reference_route("R1").start,
+            start or site.find_route("R1").start,
             SimulationSettings(time_budget=time_budget),
             np.random.default_rng(0),
         )
@@ -115,7 +115,7 @@ def test_a_budget_that_runs_out_on_the_way_ends_the_episode(
 
 
 def look(site: Site, x: float, y: float) -> Panorama:
-    robot = SimulatedRobot(build_scene(site), site.reference_route("R1").start)
+    robot = SimulatedRobot(build_scene(site), site.find_route("R1").start)
     return look_around(robot, x, y)
 
 

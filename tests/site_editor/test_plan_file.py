@@ -44,17 +44,27 @@ def test_saving_without_a_change_writes_nothing(annex: Path) -> None:
     assert annex.read_bytes() == before
 
 
-def test_one_changed_number_is_one_changed_line(annex: Path) -> None:
-    before = annex.read_text(encoding="utf-8").splitlines()
+def test_one_changed_feature_of_a_saved_plan_is_one_changed_line(annex: Path) -> None:
     file = PlanFile(annex)
+    file.save(edited(file, description="An annex, half \ud83d drawn."))
+    before = annex.read_bytes().splitlines()
     moved = bench(file)
     moved["geometry"]["coordinates"][0] = 5.5
     file.save(edited(file, {5: moved}))
-    after = annex.read_text(encoding="utf-8").splitlines()
-    differing = [pair for pair in zip(before, after, strict=True) if len(set(pair)) > 1]
-    assert [after.strip() for _, after in differing] == [
-        '"geometry": {"type": "Point", "coordinates": [5.5, -0.75]},'
+    after = annex.read_bytes().splitlines()
+    [(_, changed)] = [
+        each for each in zip(before, after, strict=True) if len({*each}) > 1
     ]
+    assert json.loads(changed.rstrip(b",")) == moved
+
+
+def test_whole_numbers_of_a_browser_are_no_change(annex: Path) -> None:
+    annex.write_bytes(annex.read_bytes().replace(b": 2.8", b": 3.0"))
+    before = annex.read_bytes()
+    file = PlanFile(annex)
+    bench_again = json.loads(json.dumps(bench(file)).replace(".0", ""))
+    file.save(edited(file, {5: bench_again}, ceiling_height_m=3))
+    assert annex.read_bytes() == before
 
 
 def test_features_come_and_go_and_what_the_format_does_not_know_is_kept(
@@ -138,7 +148,7 @@ def test_what_lacks_is_written_when_it_is_saved(tmp_path: Path) -> None:
     file = PlanFile(path)
     file.save(edited_from_nothing(file))
     plan = json.loads(path.read_text(encoding="utf-8"))
-    assert plan == {"title": "Tower"}
+    assert plan == {"type": "FeatureCollection", "title": "Tower", "features": []}
 
 
 @pytest.mark.parametrize(

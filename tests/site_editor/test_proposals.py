@@ -1,4 +1,3 @@
-import json
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -8,11 +7,12 @@ import pytest
 from memorymaze.site_editor.proposals import completed, missing_turning_points
 from memorymaze.sites import Site
 from memorymaze.sites.checking import plan_problems
+from memorymaze.sites.plan import site_plan
 from memorymaze.sites.reading import understand_plan
 
 
 def features_of(site: Site, kind: str) -> list[dict[str, Any]]:
-    features = json.loads(site.plan)["features"]
+    features = site_plan(site)["features"]
     return [each for each in features if each["properties"]["kind"] == kind]
 
 
@@ -51,7 +51,7 @@ def test_turning_points_made_where_corridors_meet_pass_the_checks(
     bare = replace(site, turning_points=(), routes=())
     made = list(missing_turning_points(bare, set()))
     assert len(made) >= (1 if name == "l_shape" else 4)
-    plan = json.loads(site.plan)
+    plan = site_plan(site)
     floor = {"turning_point", "route"}
     kept = [e for e in plan["features"] if e["properties"]["kind"] not in floor]
     problems = plan_problems(

@@ -1,4 +1,3 @@
-import math
 import re
 from dataclasses import replace
 
@@ -125,17 +124,3 @@ def test_connectivity_has_the_shape_of_r2r(t_site: Site):
     assert isinstance(pose, list)
     assert [pose[i] for i in (3, 7, 11)] == [*graph.viewpoints[0][1:], 1.25]
     assert len(pose) == 16
-
-
-def test_navigable_headings_run_clockwise_from_north(crossing_site: Site):
-    graph = navigation_graph(crossing_site)
-    middle = graph.nearest(0, 0)
-    ways = graph.navigable()[middle.id]
-    for there in graph.neighbours[middle.id]:
-        heading = ways[there.id]["heading"]
-        distance = ways[there.id]["distance"]
-        assert 0 <= heading < 2 * math.pi
-        assert (distance * math.sin(heading), distance * math.cos(heading)) == (
-            pytest.approx((there.x - middle.x, there.y - middle.y), abs=1e-9)
-        )
-    assert min(way["heading"] for way in ways.values()) == 0.0

@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 from shapely import Point, Polygon, box
 from shapely.affinity import rotate
 
-from memorymaze.errors import SitePlanError
+from memorymaze.errors import SettingsError, SitePlanError
 from memorymaze.sites import Landmark, Site
 from memorymaze.sites.records import corridor_centre_line, floor_pieces, union_of_floor
 
@@ -63,15 +63,13 @@ def test_a_slanted_footprint_turns_about_its_centre():
 
 
 def test_a_route_starts_where_its_line_does_with_its_own_heading(t_site: Site):
-    start = t_site.route("route_r1_reference").start
+    start = t_site.find_route("route_r1_reference").start
     assert start == pytest.approx((0, -9, math.pi / 2))
 
 
 def test_an_unknown_route_is_answered_with_those_there_are(loop_site: Site):
-    with pytest.raises(KeyError, match=r"route_r1_reference, route_r1_alternative"):
-        loop_site.route("route_r9")
-    with pytest.raises(KeyError, match=r"'R2'; there are: R1"):
-        loop_site.reference_route("R2")
+    with pytest.raises(SettingsError, match=r"R1 \(route_r1_reference\), route_r1_alt"):
+        loop_site.find_route("R2")
 
 
 def test_a_sliver_between_overlapping_parts_is_no_hole():

@@ -47,7 +47,7 @@ def visits(clock: Clock) -> Generator[Visits]:
 
 @pytest.fixture(scope="module")
 def the_visit(visits: Visits, t_site: Site) -> PageVisit:
-    return visits.begin(t_site, t_site.reference_route("R1"), "one")
+    return visits.begin(t_site, t_site.find_route("R1"), "one")
 
 
 @pytest.fixture
@@ -161,7 +161,7 @@ def test_a_closed_page_ends_its_walk_and_frees_the_robot(
     wait_until(visits, visit, lambda: bool(moved(visit)))
     process = visit.process
     assert process is not None
-    route = t_site.reference_route("R1")
+    route = t_site.find_route("R1")
     with pytest.raises(NoRobotFree, match="try again"):
         visits.begin(t_site, route, "another")
     clock.now += PATIENCE + 1

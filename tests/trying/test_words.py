@@ -89,7 +89,7 @@ def test_only_another_step_or_a_new_doubt_is_a_change_of_mind() -> None:
 @pytest.fixture
 def judged(t_site: Site) -> Any:
     def judge(text: str, agent: str = "guide") -> tuple[EpisodeResult, Verdict]:
-        route = t_site.reference_route("R1")
+        route = t_site.find_route("R1")
         run = navigate(t_site, route, text, agent)
         return run.result, verdict_of(run.result, run.trajectory, t_site, route, 3.0)
 

@@ -84,7 +84,7 @@ def _others(text: Instruction, kind: str) -> list[str]:
 
 def _sides_at(site: Site, text: Instruction) -> set[str]:
     """Return where the route turns at the place that its error names."""
-    turns = site.route(text.reference_route).turns
+    turns = site.find_route(text.reference_route).turns
     where = text.failures[0].where
     return {each.direction.rpartition("_")[2] for each in turns if each.at == where}
 
@@ -150,7 +150,7 @@ def test_a_wrong_destination_is_a_thing_of_the_site_away_from_the_goal(
         (thing,) = [
             each for each in things_of(site) if each.id == wrong.failures[0].where
         ]
-        route = site.route(wrong.reference_route)
+        route = site.find_route(wrong.reference_route)
         assert thing.words.lower() in _labelled(wrong, kind)
         assert thing.id != route.goal_landmark
         # It stands away from the goal, or is come to before the last turn.
@@ -206,7 +206,7 @@ def test_no_turn_is_told_that_the_route_does_not_make(
     cells: list[Cell], seed: int
 ) -> None:
     for site, text in _right_texts(cells, seed):
-        turns = site.route(text.reference_route).turns
+        turns = site.find_route(text.reference_route).turns
         rest = iter(each.direction.rpartition("_")[2] for each in turns)
         for sentence in re.split(r"[.!?\n]", text.text):
             # "The first time you can go left, you go left" is one turn.
@@ -220,7 +220,7 @@ def test_every_thing_that_is_told_stands_by_the_way_on_the_side_that_is_said(
     cells: list[Cell], seed: int
 ) -> None:
     for site, text in _right_texts(cells, seed):
-        line = site.route(text.reference_route).line
+        line = site.find_route(text.reference_route).line
         for sentence in re.split(r"[.!?\n]", text.text):
             if NOT_THE_WAY.search(sentence):
                 continue
@@ -263,7 +263,7 @@ def test_lengths_from_a_good_memory_are_those_of_the_stretches(
     cells: list[Cell], seed: int
 ) -> None:
     for site, text in _right_texts(cells, seed):
-        route = site.route(text.reference_route)
+        route = site.find_route(text.reference_route)
         points = {each.id: each.polygon for each in site.turning_points}
         corners = [
             route.line.project(route.line.intersection(points[turn.at]).centroid)

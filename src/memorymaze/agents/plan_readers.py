@@ -29,6 +29,7 @@ from memorymaze.language.model import (
 )
 from memorymaze.language.prompt_texts import load_prompt, prompt_version
 from memorymaze.routes import RoutePlan, parse_plan
+from memorymaze.routes.grammar import plan_grammar
 from memorymaze.understanding import parse_route_description
 from memorymaze.understanding.marking import read_by_marks
 
@@ -158,7 +159,14 @@ class ModelReader(PlanReader):
     def requests_expected(self, instruction: str) -> list[CompletionRequest]:
         """Return the request for a plan."""
         turns = Message("system", self._prompt), Message("user", instruction.strip())
-        return [CompletionRequest(turns, max_tokens=4096, question=self._question)]
+        return [
+            CompletionRequest(
+                turns,
+                max_tokens=4096,
+                grammar=plan_grammar(),
+                question=self._question,
+            )
+        ]
 
     def _read(
         self, instruction: str, journal: Journal, numbers: Iterator[int]

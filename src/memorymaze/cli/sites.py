@@ -192,7 +192,7 @@ def _new(args: argparse.Namespace) -> None:
 
 def _generate(args: argparse.Namespace) -> None:
     from memorymaze.construction import BUILDING_KINDS, make_building
-    from memorymaze.durable_files import write_new
+    from memorymaze.durable_files import check_new_file
     from memorymaze.errors import SettingsError
 
     if args.count < 1:
@@ -202,7 +202,8 @@ def _generate(args: argparse.Namespace) -> None:
         for seed in range(args.seed, args.seed + args.count):
             building = make_building(kind, seed)
             path = args.out / f"{building.name}.geojson"
-            write_new(path, building.plan)
+            check_new_file(path)
+            building.save(path)
             print(path)
 
 
@@ -236,12 +237,12 @@ def _check(args: argparse.Namespace) -> int:
 
 def _without_a_look(path: Path, found: "list[SiteProblem]") -> "list[SiteProblem]":
     """Return a warning for each category of a sound plan that nothing looks like."""
-    from memorymaze.pictures.looks.catalogue import problems_of_looks
     from memorymaze.sites import load_site
+    from memorymaze.sites.things import problems_of_categories
 
     if any(problem.severity == "error" for problem in found):
         return []
-    return problems_of_looks(load_site(path))
+    return problems_of_categories(load_site(path))
 
 
 def _draw(args: argparse.Namespace) -> None:

@@ -49,11 +49,9 @@ def add_film(actions: Verbs) -> None:
 
 
 def _run(options: argparse.Namespace) -> None:
-    from memorymaze.pictures.films import (
-        WalkthroughSettings,
-        film_walkthrough,
-    )
+    from memorymaze.pictures.films import WalkthroughSettings
     from memorymaze.simulation.scene import build_scene
+    from memorymaze.simulation.walkthrough import film_walkthrough
     from memorymaze.sites import load_site
 
     settings = WalkthroughSettings(

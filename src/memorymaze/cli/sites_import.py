@@ -1,23 +1,15 @@
 """`memorymaze sites import`: a plan from another format."""
 
 import argparse
-import json
 import sys
-from importlib import import_module
+from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, cast
 
 from memorymaze.cli.verbs import Verbs
+from memorymaze.importing import SOURCE_FORMATS, import_site
 from memorymaze.wording import counted
 
-if TYPE_CHECKING:
-    from memorymaze.importing.imported import ImportedSite
-    from memorymaze.sites.plan_writing import Feature
-
 DONE, FAILED = 0, 1
-FORMATS = ("cabot", "imdf", "osm", "ros_map", "mesh")
-ON_FLOORS = ("cabot", "imdf", "osm")
-"""Formats that hold several floors."""
 
 
 def add_import(verbs: Verbs) -> None:
@@ -35,7 +27,11 @@ def add_import(verbs: Verbs) -> None:
     )
     parser.add_argument("file", metavar="FILE", type=Path, help="what to import")
     parser.add_argument(
-        "--from", dest="format", choices=FORMATS, required=True, help="its format"
+        "--from",
+        dest="format",
+        choices=SOURCE_FORMATS,
+        required=True,
+        help="its format",
     )
     parser.add_argument("--floor", help="which floor, where the file has several")
     parser.add_argument(
@@ -65,13 +61,10 @@ def add_import(verbs: Verbs) -> None:
 
 
 def _import(args: argparse.Namespace) -> int:
-    from memorymaze.durable_files import write_new
+    from memorymaze.durable_files import check_new_file
     from memorymaze.errors import SettingsError
-    from memorymaze.importing.reference_route import reference_route
-    from memorymaze.sites.checking import plan_problems
-    from memorymaze.sites.loading import SNAKE_CASE, sound_site
-    from memorymaze.sites.plan_writing import plan_bytes
-    from memorymaze.sites.reading import understand_plan
+    from memorymaze.sites import find_site_problems
+    from memorymaze.sites.loading import SNAKE_CASE
 
     out: Path = args.out
     if not SNAKE_CASE.fullmatch(out.stem) or out.suffix != ".geojson":
@@ -79,14 +72,14 @@ def _import(args: argparse.Namespace) -> int:
             "--out: expected small letters, digits and underscores and .geojson, such as "
             f"annex_2.geojson, got {out.name!r}"
         )
-    if args.floor and args.format not in ON_FLOORS:
-        raise SettingsError(
-            f"--floor: expected with {', '.join(ON_FLOORS)}, got {args.format}, which has "
-            "one floor"
-        )
-    if args.narrowest is not None and args.format != "ros_map":
-        raise SettingsError(f"--narrowest: expected with ros_map, got {args.format}")
-    imported = _imported(args)
+    check_new_file(out)
+    imported = import_site(
+        args.file,
+        args.format,
+        floor=args.floor,
+        narrowest=args.narrowest,
+        routes=args.route,
+    )
     for heading, lines in (
         ("took", imported.took),
         ("guessed", imported.guessed),
@@ -94,21 +87,11 @@ def _import(args: argparse.Namespace) -> int:
     ):
         for line in lines:
             print(f"{heading}: {line}")
-    features = cast("list[Feature]", imported.plan["features"])
-    header = {
-        name: member
-        for name, member in imported.plan.items()
-        if name not in ("type", "features")
-    } | {"name": out.stem}
-    for start, goal in args.route:
-        plan = understand_plan({**imported.plan, "features": features})
-        features = [*features, reference_route(sound_site(plan, str(out)), start, goal)]
-    content = plan_bytes(header, features)
-    problems = plan_problems(understand_plan(json.loads(content)), out)
+    out.parent.mkdir(parents=True, exist_ok=True)
+    replace(imported.site, name=out.stem).save(out)
+    problems = find_site_problems(out)
     for problem in problems:
         print(problem.line())
-    out.parent.mkdir(parents=True, exist_ok=True)
-    write_new(out, content)
     errors = sum(problem.severity == "error" for problem in problems)
     print(
         f"{out}: {counted(errors, 'error')}, "
@@ -116,10 +99,3 @@ def _import(args: argparse.Namespace) -> int:
         file=sys.stderr,
     )
     return FAILED if errors else DONE
-
-
-def _imported(args: argparse.Namespace) -> "ImportedSite":
-    module = import_module(f"memorymaze.importing.{args.format}")
-    options = {"floor": args.floor, "narrowest": args.narrowest}
-    given = {name: value for name, value in options.items() if value is not None}
-    return getattr(module, f"import_{args.format}")(args.file, **given)

@@ -37,7 +37,7 @@ def _kinds(label: Label, _told: Instruction, _sites: Mapping[str, Site]) -> str:
 def _alternative(label: Label, told: Instruction, sites: Mapping[str, Site]) -> str:
     if label.way == NO_WAY:
         return "alternative"
-    return sites[told.site].route(label.way).role
+    return sites[told.site].find_route(label.way).role
 
 
 def _way(label: Label, _told: Instruction, _sites: Mapping[str, Site]) -> str:

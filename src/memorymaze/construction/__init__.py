@@ -4,7 +4,7 @@ With the pieces that recipes share, and routes through them. Does not hold what 
 (`sites`) or texts (`writing`).
 """
 
-from memorymaze.construction.making import MadeBuilding, make_building
+from memorymaze.construction.making import make_building
 from memorymaze.construction.recipes import BUILDING_KINDS, BuildingKind
 
-__all__ = ["BUILDING_KINDS", "BuildingKind", "MadeBuilding", "make_building"]
+__all__ = ["BUILDING_KINDS", "BuildingKind", "make_building"]

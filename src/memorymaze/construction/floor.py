@@ -2,22 +2,21 @@
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from typing import cast
 
-from shapely import LineString, MultiPoint, Point, Polygon, set_precision
+from shapely import MultiPoint, Point, Polygon, set_precision
 
 from memorymaze.construction.layout import (
     Layout,
-    MadeHall,
     Street,
     UnsuitableFloor,
 )
 from memorymaze.construction.skeleton import IN_LINE, Skeleton, SkeletonLeg
 from memorymaze.geometry.points import XY
-from memorymaze.geometry.pose import heading_to, turn_between
-from memorymaze.sites.records import floor_pieces
+from memorymaze.geometry.pose import heading_to, moved, turn_between
+from memorymaze.sites.exits import FloorShapes, exits_into_the_open, shape_of
+from memorymaze.sites.records import Exit, TurningPoint, floor_pieces
 
 THROUGH = math.radians(20)
 """Legs that bend less than this are one street at a junction."""
@@ -25,31 +24,8 @@ SHARPEST_MITRE = math.radians(60)
 """Where a street bends more, the turning point is where both its pieces overlap."""
 POINT_DEPTH = 2.4
 """Metres of a dead end, or of a hall's mouth, that are a turning point."""
-OPEN_AHEAD = 4.0
-"""Metres of hall that make a direction one can leave in."""
 OVERLAP = 0.3
 """Square metres that two turning points may share."""
-
-
-@dataclass(frozen=True)
-class MadeExit:
-    """A way out of a turning point."""
-
-    to: str
-    """Id of a corridor or hall."""
-    heading: float
-    """Radians."""
-
-
-@dataclass(frozen=True)
-class MadeTurningPoint:
-    """Where a walker can change streets."""
-
-    id: str
-    node: int
-    polygon: Polygon
-    shape: str
-    exits: tuple[MadeExit, ...]
 
 
 class MadeFloor:
@@ -71,22 +47,27 @@ class MadeFloor:
         self.walkable = parts[0]
 
     @cached_property
-    def turning_points(self) -> tuple[MadeTurningPoint, ...]:
-        """All turning points.
+    def turning_points(self) -> dict[int, TurningPoint]:
+        """All turning points by their nodes.
 
         Raises:
             UnsuitableFloor: Two overlap.
         """
-        found = [
-            point
-            for node in self.skeleton.graph
-            if (point := self._turning_point(node)) is not None
-        ]
-        for index, point in enumerate(found):
-            for other in found[:index]:
+        found: dict[int, TurningPoint] = {}
+        for node in self.skeleton.graph:
+            point = self._turning_point(node)
+            if point is None:
+                continue
+            for other in found.values():
                 if point.polygon.intersection(other.polygon).area > OVERLAP:
                     raise UnsuitableFloor(f"{point.id} and {other.id} overlap")
-        return tuple(found)
+            found[node] = point
+        return found
+
+    @cached_property
+    def entrances(self) -> dict[int | None, str]:
+        """What the entrances are called, by their nodes."""
+        return {self.skeleton.node_at(end): name for end, name in self.layout.entrances}
 
     def hall_around(self, place: XY) -> int | None:
         """Return the number of the hall that a place lies in."""
@@ -95,51 +76,33 @@ class MadeFloor:
                 return number
         return None
 
-    def hall_called(self, name: str) -> tuple[int, MadeHall]:
-        """Return a hall and its number."""
-        return next(
-            (number, hall)
-            for number, hall in enumerate(self.layout.halls)
-            if hall.name == name
-        )
-
-    def _turning_point(self, node: int) -> MadeTurningPoint | None:
+    def _turning_point(self, node: int) -> TurningPoint | None:
         legs = self.skeleton.legs(node)
         polygon = self._outline(node, legs)
         if polygon is None:
             return None
-        exits = [MadeExit(self._leads_to(leg), leg.heading) for leg in legs]
-        hall = self.hall_around(self.skeleton.places[node])
-        ways_in_hall = (
-            list(self._ways_into(hall, polygon, legs)) if hall is not None else []
-        )
-        shape = ("dead_end", "corner", "t_junction", "crossing")[len(legs) - 1]
-        if ways_in_hall or any(leg.street is None for leg in legs):
-            shape = "opening"
-        return MadeTurningPoint(
-            f"tp_{node + 1}", node, rounded(polygon), shape, tuple(exits + ways_in_hall)
+        place = self.skeleton.places[node]
+        name = self.entrances.get(node)
+        exits = [Exit(self._leads_to(leg), leg.heading) for leg in legs]
+        number = self.hall_around(place)
+        if number is not None:
+            hall = self.halls[number]
+            around = FloorShapes({}, {hall_id(number): hall}, {})
+            exits += exits_into_the_open(legs[0].heading, polygon, around, hall, exits)
+            name = name or self.layout.halls[number].name
+        areas = [hall_id(number) for number in range(len(self.halls))]
+        return TurningPoint(
+            point_id(node),
+            rounded(polygon),
+            name,
+            shape_of(exits, areas),
+            tuple(exits),
         )
 
     def _leads_to(self, leg: SkeletonLeg) -> str:
         if leg.street is not None:
             return corridor_id(leg.street, leg.piece)
-        return hall_id(self.hall_called(leg.hall or "")[0])
-
-    def _ways_into(
-        self, hall: int, polygon: Polygon, legs: Sequence[SkeletonLeg]
-    ) -> Iterator[MadeExit]:
-        """Yield the ways into a hall beside those that the legs lead."""
-        middle = polygon.centroid
-        reach = math.sqrt(polygon.area) / 2 + OPEN_AHEAD
-        taken = [leg.heading for leg in legs]
-        for quarter in range(4):
-            heading = legs[0].heading + quarter * math.pi / 2
-            if min(abs(turn_between(heading, each)) for each in taken) < 1.0:
-                continue
-            end = _moved((middle.x, middle.y), heading, reach)
-            if self.halls[hall].contains(LineString([(middle.x, middle.y), end])):
-                taken.append(heading)
-                yield MadeExit(hall_id(hall), heading)
+        return hall_id([hall.name for hall in self.layout.halls].index(leg.hall or ""))
 
     def _outline(self, node: int, legs: Sequence[SkeletonLeg]) -> Polygon | None:
         """Return the shape of a node's turning point, if it is one."""
@@ -177,6 +140,11 @@ def hall_id(number: int) -> str:
     return f"hall_{number + 1}"
 
 
+def point_id(node: int) -> str:
+    """Return the id of a node's turning point."""
+    return f"tp_{node + 1}"
+
+
 def rounded(polygon: Polygon) -> Polygon:
     """Return a polygon with whole millimetres."""
     return set_precision(polygon, 0.001, mode="pointwise")
@@ -209,13 +177,13 @@ def _strip(
     place: XY, heading: float, start: float, end: float, leg: SkeletonLeg
 ) -> Polygon:
     """Return a rectangle across a leg's whole width, metres along it."""
-    near, far = _moved(place, heading, start), _moved(place, heading, end)
+    near, far = moved(place, heading, start), moved(place, heading, end)
     side = leg.width / 2
     return Polygon([
-        _moved(near, heading - math.pi / 2, side),
-        _moved(far, heading - math.pi / 2, side),
-        _moved(far, heading + math.pi / 2, side),
-        _moved(near, heading + math.pi / 2, side),
+        moved(near, heading - math.pi / 2, side),
+        moved(far, heading - math.pi / 2, side),
+        moved(far, heading + math.pi / 2, side),
+        moved(near, heading + math.pi / 2, side),
     ])
 
 
@@ -225,8 +193,8 @@ def _corner(place: XY, leg: SkeletonLeg, other: SkeletonLeg) -> Polygon:
     turn = math.pi - abs(between)
     outward = leg.heading + between / 2 + math.pi
     side = leg.width / 2
-    outer = _moved(place, outward, side / math.cos(turn / 2))
-    inner = _moved(place, outward, -side / math.cos(turn / 2))
+    outer = moved(place, outward, side / math.cos(turn / 2))
+    inner = moved(place, outward, -side / math.cos(turn / 2))
     reach = side * math.tan(turn / 2)
     corners = [outer]
     for each, sign in ((leg, -1.0), (other, 1.0)):
@@ -234,11 +202,11 @@ def _corner(place: XY, leg: SkeletonLeg, other: SkeletonLeg) -> Polygon:
         if turn > SHARPEST_MITRE:
             # The outer wall of one piece up to where the other's inner wall meets it.
             along = (side + side * math.cos(turn)) / math.sin(turn)
-            corners += [_moved(_moved(place, each.heading, along), wall, side), inner]
+            corners += [moved(moved(place, each.heading, along), wall, side), inner]
             continue
-        cut = _moved(place, each.heading, reach + 1.2)
+        cut = moved(place, each.heading, reach + 1.2)
         depth = _depth_to_line(cut, wall, inner, outward)
-        corners += [_moved(cut, wall, side), _moved(cut, wall, max(depth, -side))]
+        corners += [moved(cut, wall, side), moved(cut, wall, max(depth, -side))]
     return cast(Polygon, MultiPoint(corners).convex_hull)
 
 
@@ -261,8 +229,8 @@ def _street_pieces(street: Street) -> Iterator[tuple[XY, XY, XY, XY]]:
         across = before + bend / 2 + math.pi / 2
         reach = street.width / 2 / math.cos(bend / 2)
         return (
-            _moved(points[vertex], across, -reach),
-            _moved(points[vertex], across, reach),
+            moved(points[vertex], across, -reach),
+            moved(points[vertex], across, reach),
         )
 
     for piece in range(pieces):
@@ -273,10 +241,3 @@ def _street_pieces(street: Street) -> Iterator[tuple[XY, XY, XY, XY]]:
         right, left = edge(piece, before, here)
         far_right, far_left = edge(piece + 1, here, after)
         yield right, far_right, far_left, left
-
-
-def _moved(place: XY, heading: float, distance: float) -> XY:
-    return (
-        place[0] + distance * math.cos(heading),
-        place[1] + distance * math.sin(heading),
-    )

@@ -12,6 +12,7 @@ from shapely import Polygon
 from shapely.affinity import affine_transform
 
 from memorymaze.geometry.points import XY
+from memorymaze.geometry.pose import Pose
 
 Sides = Literal["both", "left", "right", "none"]
 MIRRORED: dict[Sides, Sides] = {"left": "right", "right": "left"}
@@ -145,12 +146,8 @@ class WingFrame:
 
     def at(self, ahead: float, left: float = 0.0) -> XY:
         """Return the place so many metres ahead and to the left."""
-        cosine = math.cos(math.radians(self.heading_deg))
-        sine = math.sin(math.radians(self.heading_deg))
-        return (
-            round(self.origin[0] + ahead * cosine - left * sine, 3),
-            round(self.origin[1] + ahead * sine + left * cosine, 3),
-        )
+        x, y = Pose(*self.origin, math.radians(self.heading_deg)).at(ahead, left)
+        return round(x, 3), round(y, 3)
 
     def line(self, *places: XY) -> tuple[XY, ...]:
         """Return places of this frame as places of the floor."""

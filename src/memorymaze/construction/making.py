@@ -1,31 +1,23 @@
 """Buildings from a kind and a seed; a floor that breaks a rule is drawn again."""
 
-import json
-from dataclasses import dataclass
-from pathlib import Path
-
 import numpy as np
 
 from memorymaze.construction.floor import MadeFloor
 from memorymaze.construction.growth import grow
 from memorymaze.construction.layout import UnsuitableFloor
-from memorymaze.construction.plan import features_of
+from memorymaze.construction.plan import parts_of
 from memorymaze.construction.recipes import BUILDING_KINDS, RECIPES, BuildingKind
 from memorymaze.construction.rooms import MadeDoor, RoomPlanner
 from memorymaze.construction.skeleton import Skeleton
 from memorymaze.construction.things import Furnisher
-from memorymaze.construction.vocabulary import (
-    Special,
-    Vocabulary,
-    furnishings,
-    vocabulary,
-)
+from memorymaze.construction.vocabulary import Special, Vocabulary, vocabulary
 from memorymaze.construction.walls import MadeWall, end_wall, walls_of
 from memorymaze.construction.ways import Ways
 from memorymaze.errors import SettingsError, did_you_mean
-from memorymaze.sites.checking import plan_problems
-from memorymaze.sites.plan_writing import plan_bytes
-from memorymaze.sites.reading import understand_plan
+from memorymaze.sites.checking import made_site_problems
+from memorymaze.sites.plan import in_millimetres
+from memorymaze.sites.records import Site, parts_by_kind
+from memorymaze.sites.things import door_kinds
 
 MOST_TRIES = 60
 """Floors drawn for one building before giving up."""
@@ -40,19 +32,7 @@ STAIRS = Special(
 )
 
 
-@dataclass(frozen=True)
-class MadeBuilding:
-    """One floor of a building that no one built."""
-
-    name: str
-    """Kind and seed, such as `hospital_0007`; the stem of its plan's file."""
-    kind: BuildingKind
-    seed: int
-    plan: bytes
-    """In the format of `docs/site_plans.md`; the same seed gives the same bytes."""
-
-
-def make_building(kind: BuildingKind, seed: int) -> MadeBuilding:
+def make_building(kind: BuildingKind, seed: int) -> Site:
     """Make a building's floor.
 
     Args:
@@ -60,7 +40,8 @@ def make_building(kind: BuildingKind, seed: int) -> MadeBuilding:
         seed: From 0; which building of its kind.
 
     Returns:
-        A plan that breaks no rule of `memorymaze sites check`.
+        A building called by kind and seed, such as `hospital_0007`, that breaks no rule of
+        `memorymaze sites check`. The same seed gives the same building.
 
     Raises:
         SettingsError: There is no such kind, the seed is negative, or no floor drawn
@@ -78,7 +59,7 @@ def make_building(kind: BuildingKind, seed: int) -> MadeBuilding:
     reasons: list[str] = []
     for _ in range(MOST_TRIES):
         try:
-            return MadeBuilding(name, kind, seed, _drawn(name, kind, rng))
+            return _drawn(name, kind, rng)
         except UnsuitableFloor as reason:
             reasons.append(str(reason))
     raise SettingsError(
@@ -88,8 +69,8 @@ def make_building(kind: BuildingKind, seed: int) -> MadeBuilding:
     )
 
 
-def _drawn(name: str, kind: BuildingKind, rng: np.random.Generator) -> bytes:
-    """Return the plan of one drawn floor, or raise why it is unsuitable."""
+def _drawn(name: str, kind: BuildingKind, rng: np.random.Generator) -> Site:
+    """Return one drawn floor, or raise why it is unsuitable."""
     words = vocabulary(kind)
     drawn = RECIPES[kind](rng)
     layout = drawn.turned(int(rng.integers(4)), mirrored=bool(rng.integers(2)))
@@ -104,14 +85,8 @@ def _drawn(name: str, kind: BuildingKind, rng: np.random.Generator) -> bytes:
     furnisher = Furnisher(floor, words, rooms, rng)
     furnisher.label_doors(rooms)
     for wall in exits:
-        furnisher.hang(
-            "exit sign",
-            wall.at(wall.length / 2, 0.8),
-            wall.facing,
-            (0.4, 0.06, 0.2),
-            "green",
-            "EXIT",
-        )
+        hung = wall.at(wall.length / 2, 0.8)
+        furnisher.hang("exit sign", hung, wall.facing, "EXIT")
     ways = Ways(floor, rooms)
     ways.hang_signs(furnisher, rng)
     for number in range(len(floor.halls)):
@@ -120,22 +95,21 @@ def _drawn(name: str, kind: BuildingKind, rng: np.random.Generator) -> bytes:
         furnisher.furnish_wall(wall)
     routes = ways.routes(rng)
     title = words.titles[rng.integers(len(words.titles))]
-    header: dict[str, object] = {
-        "name": name,
-        "title": title,
-        "floor": words.floors[digit],
-        "ceiling_height_m": float(rng.choice(words.ceilings)),
-        "anchor": None,
-        "description": f"A made floor of a {kind}; no such building exists.",
-    }
-    plan = plan_bytes(
-        header, features_of(floor, words, rooms, doors, furnisher.things, routes)
+    parts = parts_of(floor, words, rooms, doors, routes)
+    exact = Site(
+        name=name,
+        title=title,
+        floor=words.floors[digit],
+        ceiling_height=float(rng.choice(words.ceilings)),
+        description=f"A made floor of a {kind}; no such building exists.",
+        anchor=None,
+        **parts_by_kind([*parts, *furnisher.things]),
     )
-    understood = understand_plan(json.loads(plan))
-    problems = plan_problems(understood, Path(f"{name}.geojson"), of_benchmark=True)
+    building = in_millimetres(exact)
+    problems = made_site_problems(building)
     if problems:
         raise UnsuitableFloor(problems[0].line())
-    return plan
+    return building
 
 
 def _check_size(floor: MadeFloor) -> None:
@@ -160,9 +134,6 @@ def _close_ends(
     Returns doors that lead to no room, and walls with a way out in them.
     """
     skeleton = floor.skeleton
-    entrances = {
-        skeleton.node_at(place): name for place, name in floor.layout.entrances
-    }
     doors: list[MadeDoor] = []
     exits: list[MadeWall] = []
     for node in skeleton.graph:
@@ -172,8 +143,8 @@ def _close_ends(
         wall = end_wall(walls, place)
         if wall is None:
             raise UnsuitableFloor("a dead end without a wall")
-        if node in entrances:
-            doors.append(_door_in(wall, "automatic", entrances[node], rng))
+        if node in floor.entrances:
+            doors.append(_door_in(wall, "automatic", floor.entrances[node], rng))
             exits.append(wall)
             continue
         ends = words.programs[wall.program].ends
@@ -189,7 +160,7 @@ def _close_ends(
 def _door_in(
     wall: MadeWall, kind: str, label: str, rng: np.random.Generator
 ) -> MadeDoor:
-    door = furnishings().doors[kind]
+    door = door_kinds()[kind]
     half = min(door.width, wall.length - 0.3) / 2
     middle = wall.length / 2
     wall.take(middle - half - 0.1, middle + half + 0.1)

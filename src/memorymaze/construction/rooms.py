@@ -13,15 +13,10 @@ from memorymaze.construction.layout import (
     Street,
     UnsuitableFloor,
 )
-from memorymaze.construction.vocabulary import (
-    DoorKind,
-    RoomKind,
-    Special,
-    Vocabulary,
-    furnishings,
-)
+from memorymaze.construction.vocabulary import RoomKind, Special, Vocabulary
 from memorymaze.construction.walls import MadeWall
 from memorymaze.geometry.points import XY
+from memorymaze.sites.things import DoorKind, door_kinds
 
 WALL_DEPTH = 0.12
 """Metres between the floor and a room, and between two rooms."""
@@ -50,7 +45,7 @@ class MadeRoom:
     """With `{number}` until it has one."""
     use: str
     door: str
-    """A key of the furnishings' doors."""
+    """Name of a kind of door."""
     destination: bool = False
     sign: str | None = None
     number: str | None = None
@@ -232,7 +227,7 @@ class RoomPlanner:
             return False
         low, high = max(fronts, key=lambda front: front[1] - front[0])
         low, high = max(low, 0.0), min(high, wall.length)
-        doors = self._doors(wall, low, high, furnishings().doors[kind.door])
+        doors = self._doors(wall, low, high, door_kinds()[kind.door])
         if not doors:
             return False
         special = isinstance(kind, Special)

@@ -86,10 +86,6 @@ class Skeleton:
         ]
         return sorted(found, key=lambda each: each.heading)
 
-    def leg(self, node: int, other: int) -> SkeletonLeg:
-        """Return the leg from one node to its neighbour."""
-        return next(each for each in self.legs(node) if each.to == other)
-
     def node_at(self, place: XY) -> int | None:
         """Return the node at a place."""
         for node, known in enumerate(self.places):

@@ -2,22 +2,18 @@
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import replace
 
 import numpy as np
-from shapely import MultiLineString, Polygon, STRtree
+from shapely import MultiLineString, Point, Polygon, STRtree
 
 from memorymaze.construction.floor import MadeFloor
 from memorymaze.construction.rooms import MadeRoom
-from memorymaze.construction.vocabulary import (
-    LandmarkKind,
-    Program,
-    Vocabulary,
-    furnishings,
-)
+from memorymaze.construction.vocabulary import Program, Vocabulary
 from memorymaze.construction.walls import MadeWall
 from memorymaze.geometry.points import XY
-from memorymaze.sites.records import Mount, rectangle
+from memorymaze.sites.records import Landmark
+from memorymaze.sites.things import ThingKind, thing_kinds
 
 FROM_MIDDLE_LINES = 0.65
 """Metres kept free on both sides of every way."""
@@ -33,26 +29,6 @@ PRINTED = 0.7
 """Share of things with words that have some on them."""
 
 
-@dataclass(frozen=True)
-class MadeThing:
-    """A landmark."""
-
-    category: str
-    place: XY
-    heading: float
-    """Radians; the way its front faces."""
-    size: tuple[float, float, float]
-    mount: Mount
-    obstacle: bool
-    color: str | None = None
-    text: str | None = None
-
-    @property
-    def footprint(self) -> Polygon:
-        """What it covers of the floor."""
-        return rectangle(self.size, *self.place, self.heading)
-
-
 class Furnisher:
     """Puts things where they are in nobody's way."""
 
@@ -64,7 +40,8 @@ class Furnisher:
         rng: np.random.Generator,
     ) -> None:
         """Begin with no things."""
-        self.things: list[MadeThing] = []
+        self.things: list[Landmark] = []
+        self._counts: dict[str, int] = {}
         self._floor = floor
         self._words = words
         self._rng = rng
@@ -72,7 +49,9 @@ class Furnisher:
         self._ways = MultiLineString([
             skeleton.line(node, other) for node, other in skeleton.graph.edges
         ])
-        self._points = STRtree([point.polygon for point in floor.turning_points])
+        self._points = STRtree([
+            point.polygon for point in floor.turning_points.values()
+        ])
         self._behind = STRtree([room.polygon for room in rooms])
         self._standing: list[tuple[Polygon, MadeWall | None]] = []
 
@@ -80,19 +59,13 @@ class Furnisher:
         """Put things along a wall, as many as its program says."""
         program = self._words.programs[wall.program]
         for _ in range(self._rng.poisson(program.density * wall.length / 10)):
-            category = self._draw(program)
-            kind = furnishings().things[category]
+            kind = thing_kinds()[self._draw(program)]
             for along in self._rng.uniform(0.0, wall.length, 3):
-                if self.put_at_wall(category, kind, wall, float(along)):
+                if self.put_at_wall(kind, wall, float(along)):
                     break
 
     def put_at_wall(
-        self,
-        category: str,
-        kind: LandmarkKind,
-        wall: MadeWall,
-        along: float,
-        text: str | None = None,
+        self, kind: ThingKind, wall: MadeWall, along: float, text: str | None = None
     ) -> bool:
         """Put a thing at a wall where there is room; tell whether there was."""
         length, depth, _ = kind.size
@@ -100,9 +73,9 @@ class Furnisher:
         if not wall.is_free(start, end):
             return False
         thing = self._made(
-            category, kind, wall.at(along, depth / 2 + OFF_WALL), wall.facing, text
+            kind, wall.at(along, depth / 2 + OFF_WALL), wall.facing, text
         )
-        if category == "window" and len(
+        if kind.name == "window" and len(
             self._behind.query(wall.strip(start, end, -0.2, -1.5), "intersects")
         ):
             return False
@@ -123,15 +96,15 @@ class Furnisher:
         edge = hall.polygon.exterior.coords
         along = math.atan2(edge[1][1] - edge[0][1], edge[1][0] - edge[0][0])
         wanted = int(inside.area / FLOOR_PER_PIECE)
-        for category in self._rng.choice(program.furniture, wanted):
-            kind = furnishings().things[str(category)]
+        for name in self._rng.choice(program.furniture, wanted):
+            kind = thing_kinds()[str(name)]
             for _ in range(6):
                 place = (
                     float(self._rng.uniform(west, east)),
                     float(self._rng.uniform(south, north)),
                 )
                 heading = along + float(self._rng.integers(4)) * math.pi / 2
-                thing = self._made(str(category), kind, place, heading, None)
+                thing = self._made(kind, place, heading, None)
                 footprint = thing.footprint
                 if not inside.contains(footprint):
                     continue
@@ -141,27 +114,19 @@ class Furnisher:
 
     def label_doors(self, rooms: Iterable[MadeRoom]) -> None:
         """Put numbers and names beside doors."""
-        number = LandmarkKind(
-            size=(0.2, 0.02, 0.15), mount="wall", colors=("white", "silver")
-        )
-        restroom = LandmarkKind(
-            size=(0.4, 0.05, 0.4), mount="wall", colors=("blue", "red")
-        )
+        number = thing_kinds()["room number sign"]
+        restroom = thing_kinds()["restroom sign"]
         for room in rooms:
             if not room.doors:
                 continue
             door = room.doors[0]
             for along in (door.end + 0.32, door.start - 0.32):
                 if room.sign is not None:
-                    put = self.put_at_wall(
-                        "restroom sign", restroom, room.wall, along, room.sign
-                    )
+                    put = self.put_at_wall(restroom, room.wall, along, room.sign)
                 elif room.number is not None:
                     if self._rng.random() > NUMBER_SIGNS:
                         break
-                    put = self.put_at_wall(
-                        "room number sign", number, room.wall, along, room.number
-                    )
+                    put = self.put_at_wall(number, room.wall, along, room.number)
                 else:
                     break
                 if put:
@@ -170,32 +135,18 @@ class Furnisher:
                 self._name_beside(room)
 
     def _name_beside(self, room: MadeRoom) -> None:
-        kind = LandmarkKind(
-            size=(1.2, 0.06, 0.4),
-            mount="wall",
-            colors=("blue", "white", "green", "dark blue"),
-        )
         for along in (
             room.doors[-1].end + 0.85,
             room.doors[0].start - 0.85,
             room.doors[0].end + 1.2,
         ):
-            if self.put_at_wall("sign", kind, room.wall, along, room.name):
+            if self.put_at_wall(thing_kinds()["sign"], room.wall, along, room.name):
                 return
 
-    def hang(
-        self,
-        category: str,
-        place: XY,
-        heading: float,
-        size: tuple[float, float, float],
-        color: str,
-        text: str,
-    ) -> None:
-        """Hang a sign from the ceiling."""
-        self.things.append(
-            MadeThing(category, place, heading, size, "ceiling", False, color, text)
-        )
+    def hang(self, name: str, place: XY, heading: float, text: str) -> None:
+        """Hang a kind of sign from the ceiling."""
+        kind = thing_kinds()[name]
+        self._keep(_landmark(kind, place, heading, kind.colors[0], text), None)
 
     def _draw(self, program: Program) -> str:
         weights = np.array(list(program.things.values()))
@@ -204,27 +155,13 @@ class Furnisher:
         ]
 
     def _made(
-        self,
-        category: str,
-        kind: LandmarkKind,
-        place: XY,
-        heading: float,
-        text: str | None,
-    ) -> MadeThing:
-        texts = self._words.texts.get(category, kind.texts)
+        self, kind: ThingKind, place: XY, heading: float, text: str | None
+    ) -> Landmark:
+        texts = self._words.texts.get(kind.name, kind.texts)
         color = kind.colors[self._rng.integers(len(kind.colors))]
         if text is None and texts and self._rng.random() < PRINTED:
             text = texts[self._rng.integers(len(texts))]
-        return MadeThing(
-            category,
-            place,
-            heading,
-            kind.size,
-            kind.mount,
-            kind.in_the_way,
-            color,
-            text,
-        )
+        return _landmark(kind, place, heading, color, text)
 
     def _is_free(self, footprint: Polygon, wall: MadeWall | None) -> bool:
         if footprint.distance(self._ways) < FROM_MIDDLE_LINES:
@@ -236,7 +173,27 @@ class Furnisher:
             for other, at in self._standing
         )
 
-    def _keep(self, thing: MadeThing, wall: MadeWall | None) -> None:
-        self.things.append(thing)
+    def _keep(self, thing: Landmark, wall: MadeWall | None) -> None:
+        stem = thing.category.lower().replace(" ", "_")
+        self._counts[stem] = self._counts.get(stem, 0) + 1
+        self.things.append(replace(thing, id=f"{stem}_{self._counts[stem]}"))
         if thing.obstacle:
             self._standing.append((thing.footprint, wall))
+
+
+def _landmark(
+    kind: ThingKind, place: XY, heading: float, color: str, text: str | None
+) -> Landmark:
+    """Return a thing that has no id yet."""
+    return Landmark(
+        "",
+        Point(place),
+        kind.name,
+        color,
+        None,
+        text,
+        heading,
+        kind.size,
+        kind.mount,
+        kind.in_the_way,
+    )

@@ -1,4 +1,4 @@
-"""What stands in each kind of building: rooms, things and words, from `data/`."""
+"""What each kind of building has: rooms, things and words, from `data/`."""
 
 import tomllib
 from functools import cache
@@ -7,37 +7,9 @@ from typing import Annotated
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from memorymaze.sites.records import Mount
-
 
 class _Model(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid")
-
-
-class DoorKind(_Model):
-    """A kind of door."""
-
-    style: str
-    colors: tuple[str, ...]
-    width: float
-    """Metres."""
-
-
-class LandmarkKind(_Model):
-    """A kind of landmark."""
-
-    size: tuple[float, float, float]
-    """Length across the front, depth, height; metres."""
-    mount: Mount
-    colors: tuple[str, ...]
-    texts: tuple[str, ...] = ()
-    obstacle: bool = False
-    """Of what hangs on a wall: whether it is in the way."""
-
-    @property
-    def in_the_way(self) -> bool:
-        """Whether a robot must not drive through it."""
-        return self.obstacle or self.mount == "floor"
 
 
 class RoomKind(_Model):
@@ -105,25 +77,8 @@ class Vocabulary(_Model):
     """How rooms are numbered; `{letter}` is that of the zone."""
 
 
-class Furnishings(_Model):
-    """Doors and things that any kind of building may have."""
-
-    doors: dict[str, DoorKind]
-    things: dict[str, LandmarkKind]
-
-
 @cache
 def vocabulary(kind: str) -> Vocabulary:
     """Return the words of a kind of building."""
-    return Vocabulary.model_validate(_table(kind))
-
-
-@cache
-def furnishings() -> Furnishings:
-    """Return all doors and things."""
-    return Furnishings.model_validate(_table("things"))
-
-
-def _table(name: str) -> dict[str, object]:
-    path = files("memorymaze.construction") / "data" / f"{name}.toml"
-    return tomllib.loads(path.read_text("utf-8"))
+    path = files("memorymaze.construction") / "data" / f"{kind}.toml"
+    return Vocabulary.model_validate(tomllib.loads(path.read_text("utf-8")))

@@ -10,7 +10,7 @@ from shapely.geometry.polygon import orient
 
 from memorymaze.construction.floor import MadeFloor
 from memorymaze.geometry.points import XY
-from memorymaze.geometry.pose import heading_to
+from memorymaze.geometry.pose import Pose, heading_to
 
 SHORTEST_WALL = 0.8
 """Metres of wall that are worth furnishing."""
@@ -48,11 +48,7 @@ class MadeWall:
 
     def at(self, along: float, before: float = 0.0) -> XY:
         """Return the place so many metres along it and before it, on the floor."""
-        cosine, sine = math.cos(self.heading), math.sin(self.heading)
-        return (
-            self.start[0] + along * cosine - before * sine,
-            self.start[1] + along * sine + before * cosine,
-        )
+        return Pose(*self.start, self.heading).at(along, before)
 
     def strip(self, start: float, end: float, near: float, far: float) -> Polygon:
         """Return the rectangle along a stretch of it; negative depths lie behind."""

@@ -9,15 +9,14 @@ import networkx as nx
 import numpy as np
 from shapely import LineString, Point
 
-from memorymaze.construction.floor import MadeFloor
-from memorymaze.construction.layout import (
-    UnsuitableFloor,
-)
+from memorymaze.construction.floor import MadeFloor, point_id
+from memorymaze.construction.layout import UnsuitableFloor
 from memorymaze.construction.rooms import MadeDoor, MadeRoom
 from memorymaze.construction.skeleton import IN_LINE, SkeletonLeg
 from memorymaze.construction.things import Furnisher
 from memorymaze.geometry.points import XY
-from memorymaze.geometry.pose import heading_to, turn_between
+from memorymaze.geometry.pose import heading_to, moved, turn_between
+from memorymaze.sites.records import RouteTurn
 
 AHEAD = math.radians(40)
 """Ways that bend less are straight on for a sign."""
@@ -67,19 +66,11 @@ class Destination:
 
 
 @dataclass(frozen=True)
-class MadeTurn:
-    """A change of direction."""
-
-    node: int
-    direction: str
-
-
-@dataclass(frozen=True)
 class MadeWay:
     """A way from an entrance to a destination."""
 
     line: tuple[XY, ...]
-    turns: tuple[MadeTurn, ...]
+    turns: tuple[RouteTurn, ...]
 
     @property
     def length(self) -> float:
@@ -176,35 +167,25 @@ class Ways:
     def hang_signs(self, furnisher: Furnisher, rng: np.random.Generator) -> None:
         """Hang signs before junctions that point the shortest ways."""
         streets = self._floor.layout.streets
-        for point in self._floor.turning_points:
-            legs = self._skeleton.legs(point.node)
+        for node, point in self._floor.turning_points.items():
+            legs = self._skeleton.legs(node)
             if len(legs) < 3:
                 continue
             for leg in legs:
                 signed = leg.street is not None and streets[leg.street].signed
                 if not signed or leg.length < 6.0 or rng.random() > SIGNED_SHARE:
                     continue
-                text = self._pointing(point.node, leg)
+                text = self._pointing(node, leg)
                 if text is None:
                     continue
-                place = self._skeleton.places[point.node]
+                place = self._skeleton.places[node]
                 reach = max(
                     (x - place[0]) * math.cos(leg.heading)
                     + (y - place[1]) * math.sin(leg.heading)
                     for x, y in point.polygon.exterior.coords
                 )
-                hung = (
-                    place[0] + (reach + 0.5) * math.cos(leg.heading),
-                    place[1] + (reach + 0.5) * math.sin(leg.heading),
-                )
-                furnisher.hang(
-                    "hanging sign",
-                    hung,
-                    leg.heading,
-                    (1.8, 0.08, 0.4),
-                    "dark blue",
-                    text,
-                )
+                hung = moved(place, leg.heading, reach + 0.5)
+                furnisher.hang("hanging sign", hung, leg.heading, text)
 
     def _pointing(self, node: int, came_by: SkeletonLeg) -> str | None:
         """Return what a sign says to who comes by a leg."""
@@ -306,13 +287,9 @@ class Ways:
 
     def _way(self, nodes: Sequence[int], goal: Destination) -> MadeWay:
         places = [self._skeleton.places[node] for node in nodes[:-1]] + [goal.place]
-        first = heading_to(places[0], places[1])
-        places[0] = (
-            places[0][0] + START_INSIDE * math.cos(first),
-            places[0][1] + START_INSIDE * math.sin(first),
-        )
+        places[0] = moved(places[0], heading_to(*places[:2]), START_INSIDE)
         kept = [places[0]]
-        turns: list[MadeTurn] = []
+        turns: list[RouteTurn] = []
         for index in range(1, len(places) - 1):
             bend = turn_between(
                 heading_to(places[index - 1], places[index]),
@@ -321,7 +298,7 @@ class Ways:
             if abs(bend) > IN_LINE:
                 side = "left" if bend > 0 else "right"
                 slight = "slight_" if abs(bend) <= SLIGHT else ""
-                turns.append(MadeTurn(nodes[index], f"{slight}{side}"))
+                turns.append(RouteTurn(point_id(nodes[index]), f"{slight}{side}"))
             if abs(bend) > 1e-3:
                 kept.append(places[index])
         return MadeWay((*kept, places[-1]), tuple(turns))

@@ -7,11 +7,10 @@ from pathlib import Path
 from memorymaze.construction import make_building
 from memorymaze.datasets.splits import PlannedBuilding
 from memorymaze.datasets.walks import StepWalk, walk_by_steps
-from memorymaze.durable_files import write_whole
 from memorymaze.errors import SitePlanError
 from memorymaze.instructions.records import Instruction
 from memorymaze.simulation.scene import build_scene
-from memorymaze.sites import Site, load_site
+from memorymaze.sites import Site
 from memorymaze.writing import ErrorRates, cells_of, sample_outlines, write_texts
 
 CELLS = (("online", 1), ("onsite", 1), ("online", 2), ("onsite", 2))
@@ -72,18 +71,14 @@ def finish_building(task: BuildingTask) -> FinishedBuilding:
 def _finished(planned: PlannedBuilding, task: BuildingTask) -> FinishedBuilding:
     made = make_building(planned.kind, planned.seed)
     path = task.folder / f"{made.name}.geojson"
-    write_whole(path, made.plan)
-    try:
-        site = load_site(path)
-        instructions = _texts(site, task)
-    except SitePlanError:
-        path.unlink()
-        raise
+    site = replace(made, source=str(path))
+    instructions = _texts(site, task)
+    site.save(path)
     walks: dict[str, StepWalk] = {}
     if task.walked:
         scene = build_scene(site)
         for route in sorted({each.reference_route for each in instructions}):
-            walks[route] = walk_by_steps(scene, site.route(route))
+            walks[route] = walk_by_steps(scene, site.find_route(route))
     return FinishedBuilding(planned, site, tuple(instructions), walks)
 
 

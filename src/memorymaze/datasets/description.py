@@ -48,7 +48,7 @@ def statistics(buildings: Sequence[FinishedBuilding]) -> Table:
 
 def _row(splits: Sequence[str], buildings: Sequence[FinishedBuilding]) -> Row:
     routes = [
-        (each.site, each.site.reference_route(name))
+        (each.site, each.site.find_route(name))
         for each in buildings
         for name, split in each.splits.items()
         if split in splits

@@ -5,13 +5,13 @@ that near things are measured finely. What each video holds is told in its `info
 """
 
 import math
-from collections.abc import Mapping
-from pathlib import Path
 from typing import Any
 
 import av
 import numpy as np
 from numpy.typing import NDArray
+
+from memorymaze.pictures.films.video_file import Coding
 
 FPS = 4
 """Frames a second: the time of a step of 25 cm at 1 m/s, exact in binary."""
@@ -19,58 +19,40 @@ FROM_KEY_TO_KEY = 2
 """Frames from one that stands alone to the next, for reading them in any order."""
 # No frame may wait for a later one: readers that seek would miss it. A single thread,
 # because threads have a part in what comes out.
-COLOURS: Mapping[str, str] = {
-    "crf": "23",
-    "preset": "veryfast",
-    "bf": "0",
-    "threads": "1",
-}
-DEPTHS: Mapping[str, str] = {
-    "preset": "ultrafast",
-    "x265-params": "lossless=1:bframes=0:open-gop=0:pools=none:frame-threads=1:"
-    "log-level=error",
-}
+COLOURS = Coding(
+    "libx264",
+    "yuv420p",
+    {
+        "crf": "23",
+        "preset": "veryfast",
+        "bf": "0",
+        "threads": "1",
+        "g": str(FROM_KEY_TO_KEY),
+    },
+)
+DEPTHS = Coding(
+    "libx265",
+    "gray12le",
+    {
+        "preset": "ultrafast",
+        "x265-params": "lossless=1:bframes=0:open-gop=0:pools=none:frame-threads=1:"
+        "log-level=error",
+        "g": str(FROM_KEY_TO_KEY),
+    },
+)
 NEAREST, FARTHEST, SHIFT = 0.05, 50.0, 3.5
 """Metres of the first and last step of depth, and what is added before the logarithm."""
 LAST_CODE = 4095
 
 
-class FrameVideo:
-    """An mp4 file that frames are added to; a `with` statement closes it."""
+def colour_frame(picture: NDArray[np.uint8]) -> av.VideoFrame:
+    """Return colours (height, width, 3) as a frame."""
+    return av.VideoFrame.from_ndarray(picture, format="rgb24")
 
-    def __init__(self, path: Path, size: tuple[int, int], *, depth: bool) -> None:
-        """Begin a file of frames with a width and a height, pixels."""
-        path.parent.mkdir(parents=True, exist_ok=True)
-        # Else the library's version stands in the file.
-        self._container = av.open(
-            str(path), "w", format="mp4", container_options={"fflags": "+bitexact"}
-        )
-        self._depth = depth
-        self._stream: Any = self._container.add_stream(
-            "libx265" if depth else "libx264",
-            rate=FPS,
-            options={**(DEPTHS if depth else COLOURS), "g": str(FROM_KEY_TO_KEY)},
-        )
-        self._stream.width, self._stream.height = size
-        self._stream.pix_fmt = "gray12le" if depth else "yuv420p"
 
-    def add(self, picture: NDArray[np.uint8] | NDArray[np.float32]) -> None:
-        """Add colours (height, width, 3), or metres (height, width)."""
-        if self._depth:
-            frame = av.VideoFrame.from_ndarray(depth_codes(picture), format="gray12le")
-        else:
-            frame = av.VideoFrame.from_ndarray(picture, format="rgb24")
-        self._container.mux(self._stream.encode(frame))
-
-    def __enter__(self) -> "FrameVideo":
-        """Return itself."""
-        return self
-
-    def __exit__(self, kind: object, *_: object) -> None:
-        """Write what is left, unless something went wrong."""
-        if kind is None:
-            self._container.mux(self._stream.encode(None))
-        self._container.close()
+def depth_frame(metres: NDArray[np.float32]) -> av.VideoFrame:
+    """Return metres (height, width) as a frame."""
+    return av.VideoFrame.from_ndarray(depth_codes(metres), format="gray12le")
 
 
 def depth_codes(metres: NDArray[Any]) -> NDArray[np.uint16]:

@@ -20,12 +20,13 @@ from numpy.typing import NDArray
 
 from memorymaze.datasets import frame_videos
 from memorymaze.datasets.buildings import FinishedBuilding
-from memorymaze.datasets.frame_videos import FPS, FrameVideo
+from memorymaze.datasets.frame_videos import FPS
 from memorymaze.datasets.moments import RowMoments
 from memorymaze.datasets.walks import STEP, TURN, StepWalk
 from memorymaze.datasets.workers import done_by_processes
 from memorymaze.instructions.exchange.vln_ce import FORWARD, LEFT, RIGHT, STOP
 from memorymaze.instructions.records import Instruction
+from memorymaze.pictures.films.video_file import VideoFile
 from memorymaze.sites import Site
 
 VERSION = "v3.0"
@@ -166,18 +167,20 @@ def _draw(job: BuildingFrames) -> dict[str, RowMoments]:
         name: job.root / VIDEOS.format(video_key=name, **_place(job.number))
         for name in (COLOURS, DEPTH)
     }
+    for file in videos.values():
+        file.parent.mkdir(parents=True, exist_ok=True)
     with (
         # Not the furniture models, which not every machine has.
         RenderedCamera(build_visual_scene(job.site, looks="own"), *job.size) as camera,
-        FrameVideo(videos[COLOURS], job.size, depth=False) as colour_video,
-        FrameVideo(videos[DEPTH], job.size, depth=True) as depth_video,
+        VideoFile(videos[COLOURS], job.size, FPS, frame_videos.COLOURS) as colour_video,
+        VideoFile(videos[DEPTH], job.size, FPS, frame_videos.DEPTHS) as depth_video,
     ):
         for walk in job.walks:
             episodes = sum(each.walk is walk for each in job.episodes)
             for number in range(len(walk)):
                 frame = camera.frame(walk.pose(number))
-                colour_video.add(frame.rgb)
-                depth_video.add(frame.depth)
+                colour_video.add(frame_videos.colour_frame(frame.rgb))
+                depth_video.add(frame_videos.depth_frame(frame.depth))
                 some = slice(None, None, EVERY_PIXEL)
                 pixels = frame.rgb[some, some].reshape(-1, 3) / 255
                 metres = np.clip(

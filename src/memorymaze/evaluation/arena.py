@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from contextlib import suppress
-from functools import cached_property, partial
+from functools import cached_property
 
 import numpy as np
 
@@ -18,7 +18,7 @@ from memorymaze.language.building import build_language_model
 from memorymaze.language.model import LanguageModel
 from memorymaze.passers_by import FloorKnowledge
 from memorymaze.perception.eyes import Eyes
-from memorymaze.pictures import Looks, robot_cameras
+from memorymaze.pictures import Looks
 from memorymaze.pictures.furniture.models import check_looks
 from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.own_body import CanBeClosed
@@ -114,7 +114,7 @@ class Arena:
                 keep_free=episode.reference_path,
                 lidar=None if self._noise is None else self._noise.lidar,
                 odometry=None if self._noise is None else self._noise.odometry,
-                cameras=partial(robot_cameras, looks=self.looks),
+                looks=self.looks,
                 body=body,
             )
         except BaseException:

@@ -121,7 +121,7 @@ def _attempt(
 ) -> EpisodeRun:
     """Run it once; what `held` holds is let go of by the caller."""
     seeds = seeds_of(settings.seed, episode.id)
-    way = arena.site.route(episode.instruction.reference_route)
+    way = arena.site.find_route(episode.instruction.reference_route)
     destination = None if settings.ask is None else way.goal
     trace: list[TraceEntry] = [
         opening_entry(agent.name, episode, settings, destination)

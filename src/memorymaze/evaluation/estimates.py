@@ -86,7 +86,7 @@ def answers_estimate(plan: RunPlan) -> str | None:
         asking = asking_of(plan.ready.agent, told.text, fair_limits(site.routes))
         if asking.stride is None or asking.most is None:
             return None
-        way = site.route(told.reference_route)
+        way = site.find_route(told.reference_route)
         # The last answer says stop.
         perfect = perfect_steps(way, *asking.stride) + 1
         # Where the budget does not suffice for the route, it ends the walk.

@@ -44,7 +44,7 @@ class FinishedWalk:
     @property
     def reference_route(self) -> Route:
         """The way described."""
-        return self.site.route(self.episode.instruction.reference_route)
+        return self.site.find_route(self.episode.instruction.reference_route)
 
     @cached_property
     def scores(self) -> MetricValues:

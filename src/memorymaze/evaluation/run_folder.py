@@ -41,6 +41,7 @@ from memorymaze.evaluation.trace import keep_trace
 from memorymaze.input_files import LARGEST_FILE, parse_json
 from memorymaze.instructions.records import Instruction
 from memorymaze.sites.loading import sound_site
+from memorymaze.sites.plan import plan_bytes
 from memorymaze.sites.reading import understand_plan
 from memorymaze.sites.records import Site
 
@@ -202,7 +203,7 @@ def _keep_inputs(
     ordered = sorted(instructions, key=lambda each: each.id)
     lines = [_INSTRUCTION.dump_json(each, exclude={"origin"}) for each in ordered]
     files = {
-        path / "plans" / f"{quote(site.name, safe='')}.geojson.gz": site.plan
+        path / "plans" / f"{quote(site.name, safe='')}.geojson.gz": plan_bytes(site)
         for site in sites
     }
     if lines:

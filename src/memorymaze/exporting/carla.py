@@ -25,8 +25,8 @@ from memorymaze.exporting.named_meshes import (
     site_file_stem,
 )
 from memorymaze.exporting.opendrive import LANE_TYPES, LaneType, opendrive
-from memorymaze.pictures.looks.catalogue import archetype_of
 from memorymaze.sites.records import Site
+from memorymaze.sites.things import kind_of_thing
 
 ASSIMP = "assimp"
 """Command that converts the mesh; of the Debian package `assimp-utils`."""
@@ -132,11 +132,11 @@ def _things(site: Site, meshes: list[NamedMesh]) -> Iterator[dict[str, Any]]:
     """Yield every thing, with a blueprint where CARLA has a prop like it."""
     heights = {each.name: each.placed.z for each in meshes}
     for thing in site.landmarks:
-        archetype = archetype_of(thing.category)
+        kind = kind_of_thing(thing.category)
         yield {
             "id": thing.id,
             "category": thing.category,
-            "blueprint": BLUEPRINTS.get(archetype or ""),
+            "blueprint": BLUEPRINTS.get(kind.look) if kind else None,
             "x": thing.position.x,
             "y": -thing.position.y,
             "z": heights[thing.id],

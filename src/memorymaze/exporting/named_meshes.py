@@ -1,36 +1,22 @@
 """A building as meshes with the names of its plan, which every format is made from."""
 
-import json
 import re
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import cast
 
 import numpy as np
 from shapely import Polygon
 
 from memorymaze.pictures.looks.assembly import MeshPart
 from memorymaze.pictures.looks.materials import Material
-from memorymaze.pictures.rendering.meshes import MeshKind
-from memorymaze.pictures.rendering.placed_things import (
-    PlacedMeshes,
-    placed_things,
-    shadow_under,
-)
-from memorymaze.pictures.rendering.structure import structure_of
-from memorymaze.sites.records import Site
+from memorymaze.pictures.rendering.building import building
+from memorymaze.pictures.rendering.meshes import BuildingMesh, PlacedMeshes
+from memorymaze.sites.plan import feature_of, site_plan
+from memorymaze.sites.records import PlanPart, Site
 
 Attributes = Mapping[str, object]
 """What the plan says of a feature, as JSON takes it; nothing stands for null."""
-WORDS: Mapping[MeshKind, str] = {
-    "floor": "floor",
-    "ceiling": "ceiling",
-    "wall": "wall",
-    "beyond": "beyond",
-    "decal": "shade",
-}
-"""Kinds of what is round a piece of floor."""
 FLOOR_FEATURES = ("corridor", "area", "turning_point")
 """Kinds of features that are floor."""
 
@@ -68,23 +54,30 @@ def named_meshes(site: Site) -> Iterator[NamedMesh]:
     carry others' licences.
     """
     attributes = feature_attributes(site)
-    yield from _structure(site, attributes)
-    for thing in placed_things(site, "own"):
-        record = thing.object.record
-        assert record is not None
-        yield NamedMesh(record.id, attributes[record.id], thing.meshes)
-    for landmark in site.landmarks:
-        shade = shadow_under(landmark, site)
-        if shade is not None:
-            yield _around(landmark.id, "decal", shade)
+    found: dict[tuple[str, str], list[BuildingMesh]] = defaultdict(list)
+    for mesh in building(site, "own").meshes:
+        found[mesh.owner, mesh.kind].append(mesh)
+    for feature in (*site.corridors, *site.areas, *site.turning_points):
+        floor = found.pop((feature.id, "floor"), None)
+        # Another feature may cover all of its floor: then it is a place only.
+        placed = _together(floor) if floor else _place(feature.polygon)
+        yield NamedMesh(feature.id, attributes[feature.id], placed)
+    for (owner, kind), meshes in found.items():
+        placed = _together(meshes)
+        if meshes[0].thing is None:
+            word = "shade" if kind == "decal" else kind
+            name = f"{owner}/{word}"
+            of = {"id": name, "kind": word, "part_of": owner}
+            yield NamedMesh(name, of, placed)
+        else:
+            yield NamedMesh(owner, attributes[owner], placed)
     for room in site.rooms:
         yield NamedMesh(room.id, attributes[room.id], _place(room.polygon))
 
 
 def feature_attributes(site: Site) -> Mapping[str, Attributes]:
     """Return what a plan says of each feature, by its id."""
-    features = json.loads(site.plan)["features"]
-    return {str(each["id"]): _attributes(each) for each in features}
+    return {part.id: _attributes(part) for part in site.parts}
 
 
 def site_file_stem(site: Site) -> str:
@@ -94,32 +87,9 @@ def site_file_stem(site: Site) -> str:
 
 def plan_members(site: Site) -> Attributes:
     """Return what a plan says beside features that have a place: members, routes."""
-    plan = json.loads(site.plan)
-    features = plan.pop("features")
-    routes = [
-        _attributes(each) for each in features if each["properties"]["kind"] == "route"
-    ]
-    return _without_null({**plan, "type": None, "routes": routes or None})
-
-
-def _structure(site: Site, attributes: Mapping[str, Attributes]) -> Iterator[NamedMesh]:
-    found: dict[tuple[str, MeshKind], list[MeshPart]] = defaultdict(list)
-    for made in structure_of(site).slices:
-        for kind, part in made.meshes():
-            found[made.part_of, kind].append(part)
-    for feature in (*site.corridors, *site.areas, *site.turning_points):
-        floor = found.pop((feature.id, "floor"), None)
-        # Another feature may cover all of its floor: then it is a place only.
-        placed = _on_the_plan(floor) if floor else _place(feature.polygon)
-        yield NamedMesh(feature.id, attributes[feature.id], placed)
-    for (feature, kind), parts in found.items():
-        yield _around(feature, kind, _on_the_plan(parts))
-
-
-def _around(feature: str, kind: MeshKind, placed: PlacedMeshes) -> NamedMesh:
-    word = WORDS[kind]
-    name = f"{feature}/{word}"
-    return NamedMesh(name, {"id": name, "kind": word, "part_of": feature}, placed)
+    routes = [_attributes(route) for route in site.routes]
+    plan = {**site_plan(site), "features": None, "type": None}
+    return _without_null({**plan, "routes": routes or None})
 
 
 def _place(polygon: Polygon) -> PlacedMeshes:
@@ -127,11 +97,14 @@ def _place(polygon: Polygon) -> PlacedMeshes:
     return PlacedMeshes((), place.x, place.y)
 
 
-def _on_the_plan(parts: Sequence[MeshPart]) -> PlacedMeshes:
-    """Join the parts of each material; their vertices are in the plan's frame."""
+def _together(meshes: Sequence[BuildingMesh]) -> PlacedMeshes:
+    """Join the parts of each material of pieces whose vertices are in the plan's frame."""
+    if len(meshes) == 1:
+        return meshes[0].placed
     by_material: dict[Material, list[MeshPart]] = defaultdict(list)
-    for part in parts:
-        by_material[part.material].append(part)
+    for mesh in meshes:
+        for part in mesh.placed.parts:
+            by_material[part.material].append(part)
     return PlacedMeshes([_joined(each) for each in by_material.values()])
 
 
@@ -149,10 +122,10 @@ def _joined(parts: Sequence[MeshPart]) -> MeshPart:
     )
 
 
-def _attributes(feature: Attributes) -> Attributes:
-    properties = cast(Attributes, feature["properties"])
+def _attributes(part: PlanPart) -> Attributes:
+    feature = feature_of(part)
     return _without_null({
-        **properties,
+        **feature["properties"],
         "id": feature["id"],
         "geometry": feature["geometry"],
     })

@@ -13,7 +13,7 @@ from shapely import LineString, Point, Polygon, get_coordinates, get_parts, get_
 from shapely.affinity import affine_transform
 
 from memorymaze.geometry.floor import Floor
-from memorymaze.geometry.pose import Pose, heading_to, turn_between, wrap_angle
+from memorymaze.geometry.pose import Pose, heading_to, moved, turn_between, wrap_angle
 
 TANGENTS = (3.0, 1.5, 0.75, 0.3, 0.1)
 """Metres of a straight piece that a bend rounds off at most; less where there is no
@@ -141,13 +141,13 @@ def _rounded(points: Sequence[PlanPoint], longest: float) -> ReferenceLine:
             here = corner
             continue
         tangent = min(room[number - 1], room[number], longest)
-        entry = _ahead(corner, before, -tangent)
+        entry = moved(corner, before, -tangent)
         if math.dist(here, entry) > ON_EDGE:
             made.append(LineStretch(Pose(*here, before), math.dist(here, entry), 0.0))
         radius = tangent / math.tan(abs(turn) / 2)
         curvature = math.copysign(1 / radius, turn)
         made.append(LineStretch(Pose(*entry, before), radius * abs(turn), curvature))
-        here = _ahead(corner, after, tangent)
+        here = moved(corner, after, tangent)
     if not made or math.dist(here, corners[-1]) > ON_EDGE:
         made.append(
             LineStretch(Pose(*here, headings[-1]), math.dist(here, corners[-1]), 0.0)
@@ -170,7 +170,7 @@ def way_through(floor: Polygon, start: Pose, end: Pose) -> list[PlanPoint] | Non
     if corner is not None:
         ways.append([here, corner, there])
     inset = min(1.0, straight / 3)
-    inner, outer = _ahead(here, start.heading, inset), _ahead(there, end.heading, inset)
+    inner, outer = moved(here, start.heading, inset), moved(there, end.heading, inset)
     ways.append([here, inner, outer, there])
     for way in ways:
         line = LineString(way)
@@ -226,13 +226,6 @@ def _height(edge: tuple[PlanPoint, PlanPoint], at: float) -> float:
     return y + (other_y - y) * (at - x) / (other_x - x)
 
 
-def _ahead(place: PlanPoint, heading: float, metres: float) -> PlanPoint:
-    return (
-        place[0] + metres * math.cos(heading),
-        place[1] + metres * math.sin(heading),
-    )
-
-
 def _meeting(start: Pose, end: Pose) -> PlanPoint | None:
     """Return the point that two poses look at, in front of both."""
     across = math.sin(turn_between(start.heading, end.heading))
@@ -243,7 +236,7 @@ def _meeting(start: Pose, end: Pose) -> PlanPoint | None:
     other = (dx * math.sin(start.heading) - dy * math.cos(start.heading)) / across
     if min(ahead, other) < SAME_PLACE:
         return None
-    return _ahead((start.x, start.y), start.heading, ahead)
+    return moved((start.x, start.y), start.heading, ahead)
 
 
 def _walk(floor: Polygon, start: PlanPoint, end: PlanPoint) -> list[PlanPoint] | None:

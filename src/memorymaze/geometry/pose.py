@@ -6,6 +6,8 @@ Metres and radians; x east, y north; angles counter-clockwise from +x in (-pi, p
 import math
 from typing import NamedTuple
 
+from memorymaze.geometry.points import XY
+
 
 class Pose(NamedTuple):
     """Where something stands and which way it faces."""
@@ -16,6 +18,18 @@ class Pose(NamedTuple):
     """North, metres."""
     heading: float
     """Radians counter-clockwise from +x, in (-pi, pi]."""
+
+    def at(self, ahead: float, left: float = 0.0) -> XY:
+        """Return the place so many metres ahead and to the left.
+
+        >>> Pose(1.0, 2.0, 0.0).at(3.0, 0.5)
+        (4.0, 2.5)
+        """
+        cosine, sine = math.cos(self.heading), math.sin(self.heading)
+        return (
+            self.x + ahead * cosine - left * sine,
+            self.y + ahead * sine + left * cosine,
+        )
 
 
 def wrap_angle(angle: float) -> float:
@@ -33,6 +47,14 @@ def wrap_angle(angle: float) -> float:
 def turn_between(heading: float, target_heading: float) -> float:
     """Return the signed turn from one heading to another, left positive."""
     return wrap_angle(target_heading - heading)
+
+
+def moved(place: XY, heading: float, distance: float) -> XY:
+    """Return the place so many metres away along a heading."""
+    return (
+        place[0] + distance * math.cos(heading),
+        place[1] + distance * math.sin(heading),
+    )
 
 
 def heading_to(

@@ -15,6 +15,7 @@ from shapely import LineString, Point
 
 from memorymaze.errors import ImportFileError
 from memorymaze.geometry.points import XY
+from memorymaze.geometry.pose import Pose
 from memorymaze.importing.found import FoundDoor, FoundThing
 from memorymaze.importing.geojson_features import (
     SourceFeature,
@@ -27,12 +28,12 @@ from memorymaze.importing.imported import (
     ImportNotes,
     LocalFrame,
     chosen_floor,
-    site_plan,
+    imported_building,
 )
 from memorymaze.importing.placing import place_found
 from memorymaze.importing.ways import plan_floor
 from memorymaze.input_files import parse_json, read_text
-from memorymaze.pictures.looks.catalogue import archetype_of
+from memorymaze.sites.things import kind_of_thing
 from memorymaze.wording import counted
 
 ROAD_WIDTH = 1.5
@@ -81,15 +82,11 @@ class _PointOfInterest:
     def moved(self, ahead: float, left: float) -> XY:
         """Return a place seen from this one, whose heading is clockwise from north."""
         heading = math.radians(90 - (self.feature.number("hulop_heading") or 0.0))
-        cosine, sine = math.cos(heading), math.sin(heading)
-        return (
-            self.place[0] + ahead * cosine - left * sine,
-            self.place[1] + ahead * sine + left * cosine,
-        )
+        return Pose(*self.place, heading).at(ahead, left)
 
 
 def import_cabot(path: Path, floor: str | None = None) -> ImportedSite:
-    """Return one floor of CaBot's or HULOP's map data as a plan.
+    """Return one floor of CaBot's or HULOP's map data as a building.
 
     Links become corridors as wide as they say, entrances of facilities and elevators doors,
     points of interest things where their names are those of things.
@@ -140,8 +137,10 @@ def import_cabot(path: Path, floor: str | None = None) -> ImportedSite:
         filter(None, (each.text("hulop_building") for each in features))
     )
     title = max(buildings, key=lambda each: buildings[each], default=None)
-    plan = site_plan(path, title, floors[level], frame, [*planned.features, *placed])
-    return notes.imported(plan)
+    parts = [*planned.parts, *placed]
+    return notes.imported(
+        imported_building(path, title, floors[level], frame.anchor, parts)
+    )
 
 
 def _nodes(
@@ -323,7 +322,7 @@ def _things(
         name = point.feature.text(*NAMES)
         if point.category in (DOOR, CAB):
             continue
-        if name and archetype_of(name.lower()) is not None:
+        if name and kind_of_thing(name.lower()) is not None:
             yield FoundThing(point.feature.id, point.place, name.lower())
         elif point.category == "_nav_obstacle_":
             notes.guess(

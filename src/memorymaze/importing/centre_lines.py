@@ -17,9 +17,7 @@ from shapely import (
 )
 
 from memorymaze.geometry.points import XY, FloatArray
-from memorymaze.importing.imported import (
-    CentreLine,
-)
+from memorymaze.importing.imported import CentreLine
 from memorymaze.importing.skeleton import branches, floor_skeleton
 from memorymaze.sites.floor_rules import CORRIDOR_WIDTHS
 

@@ -10,9 +10,9 @@ import shapely
 from shapely import LineString, MultiPolygon, Point, Polygon, STRtree
 
 from memorymaze.geometry.points import XY
-from memorymaze.geometry.pose import heading_to, turn_between
+from memorymaze.geometry.pose import heading_to, moved, turn_between
 from memorymaze.importing.line_graph import BEND, LineLeg
-from memorymaze.importing.shapes import furthest, moved, strip
+from memorymaze.importing.shapes import furthest, strip
 
 _Floor = Polygon | MultiPolygon
 

@@ -24,7 +24,7 @@ from memorymaze.importing.imported import (
     ImportNotes,
     LocalFrame,
     chosen_floor,
-    site_plan,
+    imported_building,
 )
 from memorymaze.importing.outlines import Outlines, plan_outlines
 from memorymaze.importing.shapes import polygons
@@ -74,7 +74,7 @@ DOOR_KINDS = {"glass": "glass", "metal": "steel"}
 
 
 def import_imdf(path: Path, floor: str | None = None) -> ImportedSite:
-    """Return one floor of an IMDF archive as a plan.
+    """Return one floor of an IMDF archive as a building.
 
     Walkways become corridors, lobbies and the like areas, other units rooms named like
     their occupants, openings doors, amenities and fixtures things.
@@ -123,11 +123,13 @@ def import_imdf(path: Path, floor: str | None = None) -> ImportedSite:
     _draw_openings(here["opening"], here["unit"], frame, drawn, notes)
     _draw_things(here, frame, drawn, notes)
     try:
-        features = plan_outlines(drawn, notes)
+        parts = plan_outlines(drawn, notes)
     except ImportFileError as error:
         raise ImportFileError(f"{path}: level {floors[chosen]}: {error}") from None
     title = next(filter(None, (venue.text("name") for venue in files["venue"])), None)
-    return notes.imported(site_plan(path, title, floors[chosen], frame, features))
+    return notes.imported(
+        imported_building(path, title, floors[chosen], frame.anchor, parts)
+    )
 
 
 def _files(path: Path, notes: ImportNotes) -> dict[str, list[SourceFeature]]:

@@ -17,7 +17,8 @@ from memorymaze.errors import ImportFileError, SettingsError, did_you_mean
 from memorymaze.geometry.points import XY
 from memorymaze.input_files import parse_json, shown
 from memorymaze.sites.loading_rules import FLOOR_ACROSS
-from memorymaze.sites.plan_writing import Feature
+from memorymaze.sites.plan import in_millimetres
+from memorymaze.sites.records import Anchor, PlanPart, Site, parts_by_kind
 from memorymaze.wording import single_spaced
 
 _Key = TypeVar("_Key", bound=str | float)
@@ -45,16 +46,16 @@ class CentreLine:
 
 @dataclass(frozen=True, slots=True)
 class ImportedSite:
-    """A building from elsewhere as a plan, with what a person must know of it."""
+    """A building from elsewhere, with what a person must know of it."""
 
-    plan: dict[str, object]
-    """In the format of `docs/site_plans.md`, as JSON has it."""
+    site: Site
+    """Called like the file."""
     took: tuple[str, ...]
     """What the file said, such as `34 doors`."""
     guessed: tuple[str, ...]
     """What it did not say and the plan needs, and what was moved to fit."""
     missing: tuple[str, ...]
-    """What is not in the plan: left out, with the feature's id, or never in the file."""
+    """What is not in the building: left out, with the feature's id, or never in the file."""
 
 
 @dataclass
@@ -83,14 +84,14 @@ class ImportNotes:
             "doors; sizes of things by their kinds"
         )
 
-    def imported(self, plan: dict[str, object]) -> ImportedSite:
-        """Return the plan with these lines."""
+    def imported(self, site: Site) -> ImportedSite:
+        """Return a building with these lines."""
         lines: dict[bool, list[str]] = {True: [], False: []}
         for (guessed, what), features in self._features.items():
             shown = ", ".join(single_spaced(each) for each in features)
             lines[guessed].append(f"{what} ({len(features)}): {shown}")
         return ImportedSite(
-            plan,
+            site,
             tuple(self.took),
             (*self.guessed, *lines[True]),
             (*self.missing, *lines[False]),
@@ -119,6 +120,11 @@ class LocalFrame:
             math.hypot(*self.metres(*each[:2])) <= FLOOR_ACROSS / 2
             for each in positions
         )
+
+    @property
+    def anchor(self) -> Anchor:
+        """Where it lies on the globe, as sites have it."""
+        return Anchor(self.latitude, self.longitude, 0.0)
 
     def metres(self, longitude: float, latitude: float) -> XY:
         """Return where a place on the globe lies in this frame."""
@@ -188,28 +194,24 @@ def chosen_floor(floors: Mapping[_Key, str], asked: str | None, source: str) -> 
     )
 
 
-def site_plan(
+def imported_building(
     path: Path,
     title: str | None,
     floor: str,
-    frame: LocalFrame | None,
-    features: Sequence[Feature],
+    anchor: Anchor | None,
+    parts: Iterable[PlanPart],
     ceiling: float = CEILING,
-) -> dict[str, object]:
-    """Return the plan of a building, named like its file; its frame is on the globe."""
+) -> Site:
+    """Return a building, named like its file."""
     name = re.sub("[^a-z0-9]+", "_", path.stem.lower()).strip("_") or "imported"
-    return {
-        "type": "FeatureCollection",
-        "name": name,
-        "title": title or name.replace("_", " ").capitalize(),
-        "floor": floor,
-        "ceiling_height_m": ceiling,
-        "anchor": frame
-        and {
-            "latitude": frame.latitude,
-            "longitude": frame.longitude,
-            "bearing_deg": 0.0,
-        },
-        "description": f"Imported from {single_spaced(path.name)}.",
-        "features": list(features),
-    }
+    return in_millimetres(
+        Site(
+            name=name,
+            title=title or name.replace("_", " ").capitalize(),
+            floor=floor,
+            ceiling_height=ceiling,
+            description=f"Imported from {single_spaced(path.name)}.",
+            anchor=anchor,
+            **parts_by_kind(parts),
+        )
+    )

@@ -1,24 +1,28 @@
 """Turning points: where legs meet, bend, or come into the open, and the ways out."""
 
 import math
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from typing import cast
 
 import networkx as nx
 import shapely
-from shapely import LineString, MultiPolygon, Point, Polygon
+from shapely import LineString, Point, Polygon
 from shapely.geometry.base import BaseGeometry
 from shapely.ops import nearest_points
 
 from memorymaze.geometry.points import XY
 from memorymaze.geometry.pose import heading_to, turn_between
-from memorymaze.importing.imported import (
-    ImportNotes,
-)
+from memorymaze.importing.imported import ImportNotes
 from memorymaze.importing.line_graph import BEND, LineLeg, nodes_of
-from memorymaze.importing.shapes import convex_region, moved, strip
-from memorymaze.sites.floor_rules import SAME_EXIT, TOUCH
+from memorymaze.importing.shapes import convex_region, strip
+from memorymaze.sites.exits import (
+    Course,
+    FloorShapes,
+    exits_along,
+    exits_into_the_open,
+)
+from memorymaze.sites.records import Exit
 
 SMALLEST_POINT = 0.5
 """Square metres of the smallest turning point."""
@@ -26,12 +30,13 @@ OPEN_AHEAD = 2.0
 """Metres of floor beyond the wall that would end a way, where it ends in the open."""
 ONE_PLACE, ONE_PLACE_LEAST = 0.75, 1.2
 """Nodes nearer than so many widths of the way, or metres, are one turning point."""
-OPEN_REACH = 4.0
-"""Metres of open floor that make a direction one can leave in."""
 COURSE = 3.0
 """Metres of a leg that tell in which direction it leaves a node."""
-ASIDE_DEG = (0, 5, -5, 10, -10, 15, -15, 20, -20, 30, -30, 40, -40)
-"""Degrees to look aside from a leg for floor to leave over."""
+ASIDE = tuple(
+    math.radians(each)
+    for each in (0, 5, -5, 10, -10, 15, -15, 20, -20, 30, -30, 40, -40)
+)
+"""Radians to look aside from a leg for floor to leave over."""
 
 
 @dataclass(frozen=True)
@@ -43,15 +48,6 @@ class LineJunction:
     """The legs that leave it, each with the node it begins at."""
     is_open: bool
     """Whether it lies at an open area."""
-
-
-@dataclass(frozen=True)
-class _WayOut:
-    """A direction in which one can leave a turning point."""
-
-    to: str
-    heading: float
-    """Radians."""
 
 
 def junctions_of(
@@ -107,94 +103,35 @@ def junctions_of(
     return found
 
 
-def ways_out(
-    junction: LineJunction, floor: Polygon | MultiPolygon, parts: Mapping[str, Polygon]
-) -> list[_WayOut]:
-    """Return the directions in which one can leave, each to a part that touches.
+def exits_of(
+    junction: LineJunction, floor: BaseGeometry, parts: FloorShapes
+) -> list[Exit]:
+    """Return the directions in which one can leave: on its legs, and into the open.
 
-    Two that cannot be told apart are one, and one that a wall ends at once is none.
+    A leg may have to be left a little aside, and one that a wall ends at once is none.
     """
-    neighbours = {
-        name: part
-        for name, part in parts.items()
-        if part is not junction.polygon and part.distance(junction.polygon) <= TOUCH
-    }
-    found: list[_WayOut] = []
-    for node, leg in junction.leaving:
-        line = LineString(leg.points_from(node)).difference(junction.polygon)
-        if line.is_empty:
-            continue
-        beyond = cast(LineString, shapely.get_parts(line)[-1])
-        probe = LineString([
-            beyond.interpolate(0), beyond.interpolate(min(COURSE / 2, beyond.length))
-        ])  # fmt: skip
-        to = _led_to(probe, neighbours)
-        if to is None:
-            continue
-        heading = _free_heading(junction.polygon, _course(node, leg), floor)
-        if heading is None or any(
-            abs(turn_between(heading, each.heading)) < SAME_EXIT for each in found
-        ):
-            continue
-        found.append(_WayOut(to, heading))
+    place = junction.polygon
+    parts = FloorShapes(*(
+        {name: part for name, part in kind.items() if part is not place}
+        for kind in parts
+    ))  # fmt: skip
+    courses = _courses_from(junction, parts)
+    found = list(exits_along(courses, place, floor, aside=ASIDE))
     if junction.is_open:
-        found += _ways_into_the_open(junction, floor, neighbours, found)
+        ahead = _course(*junction.leaving[0])
+        found += exits_into_the_open(ahead, place, parts, floor, found)
     return sorted(found, key=lambda each: each.heading % (2 * math.pi))
 
 
-def _ways_into_the_open(
-    junction: LineJunction,
-    floor: Polygon | MultiPolygon,
-    neighbours: Mapping[str, Polygon],
-    found: Sequence[_WayOut],
-) -> Iterator[_WayOut]:
-    """Yield the ways into an area ahead and to the sides, beside those that legs lead."""
-    middle = junction.polygon.centroid
-    start = (middle.x, middle.y)
-    reach = math.sqrt(junction.polygon.area) / 2 + OPEN_REACH
-    course = _course(*junction.leaving[0])
-    for quarter in range(1, 4):
-        heading = course + quarter * math.pi / 2
-        if any(abs(turn_between(heading, each.heading)) < 1.0 for each in found):
-            continue
-        line = LineString([start, moved(start, heading, reach)])
-        to = _led_to(line.difference(junction.polygon), neighbours)
-        if to is not None and to.startswith("area") and floor.contains(line):
-            yield _WayOut(to, heading)
-
-
-def shape_of(junction: LineJunction, ways: Sequence[_WayOut]) -> str:
-    """Return the word of the format for a turning point with so many ways out."""
-    if junction.is_open:
-        return "opening"
-    return ("dead_end", "corner", "t_junction", "crossing")[min(len(ways), 4) - 1]
-
-
-def _led_to(probe: BaseGeometry, neighbours: Mapping[str, Polygon]) -> str | None:
-    """Return the part that a way leads into: a corridor before an area before others."""
-    for kind in ("corridor", "area", "tp"):
-        shares = {
-            name: probe.intersection(part).length
-            for name, part in neighbours.items()
-            if name.startswith(kind)
-        }
-        if shares and max(shares.values()) > probe.length / 3:
-            return max(shares, key=lambda name: shares[name])
-    return None
-
-
-def _free_heading(
-    polygon: Polygon, course: float, floor: Polygon | MultiPolygon
-) -> float | None:
-    """Return a heading near a leg's on which there is floor, as the rule measures it."""
-    middle = polygon.centroid
-    start = (middle.x, middle.y)
-    reach = 0.75 * math.sqrt(polygon.area) + 0.8 + TOUCH
-    for aside in ASIDE_DEG:
-        heading = course + math.radians(aside)
-        if floor.contains(LineString([start, moved(start, heading, reach)])):
-            return heading
-    return None
+def _courses_from(junction: LineJunction, parts: FloorShapes) -> Iterator[Course]:
+    """Yield the legs that go on beyond a junction, as far as tells what they lead into."""
+    for node, leg in junction.leaving:
+        line = LineString(leg.points_from(node)).difference(junction.polygon)
+        if not line.is_empty:
+            beyond = cast(LineString, shapely.get_parts(line)[-1])
+            end = beyond.interpolate(min(COURSE / 2, beyond.length))
+            probe = LineString([beyond.interpolate(0), end])
+            yield Course(_course(node, leg), probe, parts)
 
 
 def _course(node: XY, leg: LineLeg) -> float:

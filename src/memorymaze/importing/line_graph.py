@@ -15,9 +15,7 @@ from shapely.ops import linemerge
 
 from memorymaze.geometry.points import XY
 from memorymaze.geometry.pose import heading_to, turn_between
-from memorymaze.importing.imported import (
-    CentreLine,
-)
+from memorymaze.importing.imported import CentreLine
 
 _SourceOf = Callable[[XY, XY], CentreLine]
 """Which line a step is part of."""

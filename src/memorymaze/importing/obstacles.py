@@ -4,10 +4,10 @@ import math
 from collections.abc import Iterator, Sequence
 
 import shapely
-from shapely import MultiPoint, Polygon
+from shapely import MultiPoint, Point, Polygon
 
 from memorymaze.geometry.points import XY
-from memorymaze.sites.plan_writing import Feature, degrees, point_feature
+from memorymaze.sites.records import Landmark
 
 OBSTACLE_ACROSS = 1.5
 """Metres; what stands free and is no longer is an obstacle, else wall."""
@@ -23,21 +23,20 @@ def without_obstacles(outline: Polygon) -> tuple[Polygon, list[Polygon]]:
     return Polygon(outline.exterior, walls), small
 
 
-def box_features(small: Sequence[Polygon], floor: Polygon) -> Iterator[Feature]:
+def boxes_on(floor: Polygon, small: Sequence[Polygon]) -> Iterator[Landmark]:
     """Yield a box for each obstacle on a floor."""
     on_floor = [each for each in small if floor.covers(each.centroid)]
     for number, each in enumerate(on_floor, 1):
         middle, length, depth, heading = box_around(each)
-        yield point_feature(
+        yield Landmark(
             f"box_{number}",
-            "landmark",
-            middle,
+            Point(middle),
             category="box",
             color=None,
             name=None,
             text=None,
-            heading_deg=degrees(heading + math.pi / 2),
-            size_m=[round(length, 2), round(depth, 2), OBSTACLE_HEIGHT],
+            heading=heading + math.pi / 2,
+            size=(round(length, 2), round(depth, 2), OBSTACLE_HEIGHT),
             mount="floor",
             obstacle=True,
         )

@@ -16,7 +16,7 @@ from shapely.ops import polygonize
 
 from memorymaze.errors import ImportFileError
 from memorymaze.geometry.points import XY
-from memorymaze.geometry.pose import heading_to
+from memorymaze.geometry.pose import heading_to, moved
 from memorymaze.importing.found import FoundDoor, FoundRoom, FoundThing
 from memorymaze.importing.imported import (
     FAR,
@@ -25,11 +25,11 @@ from memorymaze.importing.imported import (
     ImportNotes,
     LocalFrame,
     chosen_floor,
-    site_plan,
+    imported_building,
 )
 from memorymaze.importing.osm_elements import Element, read_elements
 from memorymaze.importing.outlines import Outlines, plan_outlines
-from memorymaze.importing.shapes import moved, polygons
+from memorymaze.importing.shapes import polygons
 from memorymaze.importing.ways import OpenArea
 from memorymaze.wording import counted
 
@@ -82,7 +82,7 @@ THINGS = {
 
 
 def import_osm(path: Path, floor: str | None = None) -> ImportedSite:
-    """Return one level of OpenStreetMap indoor data as a plan.
+    """Return one level of OpenStreetMap indoor data as a building.
 
     Corridors and areas become floor, rooms rooms, doors and entrances doors, what stands
     about things; footways beside corridors' outlines become corridors of a guessed width.
@@ -115,7 +115,7 @@ def import_osm(path: Path, floor: str | None = None) -> ImportedSite:
         elif not found:
             notes.miss("indoor elements without a level", element.id)
     try:
-        features = plan_outlines(building.outlines(), notes)
+        parts = plan_outlines(building.outlines(), notes)
     except ImportFileError as error:
         raise ImportFileError(f"{path}: level {names[chosen]}: {error}") from None
     title = next(
@@ -126,8 +126,10 @@ def import_osm(path: Path, floor: str | None = None) -> ImportedSite:
         ),
         None,
     )
-    plan = site_plan(path, title, f"level {names[chosen]}", building.frame, features)
-    return notes.imported(plan)
+    anchor = building.frame.anchor
+    return notes.imported(
+        imported_building(path, title, f"level {names[chosen]}", anchor, parts)
+    )
 
 
 def _is_indoor(element: Element) -> bool:

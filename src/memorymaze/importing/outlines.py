@@ -12,7 +12,7 @@ from memorymaze.importing.imported import CentreLine, ImportNotes
 from memorymaze.importing.placing import place_found
 from memorymaze.importing.shapes import polygons
 from memorymaze.importing.ways import OpenArea, plan_floor, widened
-from memorymaze.sites.plan_writing import Feature
+from memorymaze.sites.records import PlanPart
 from memorymaze.wording import counted
 
 WALL = 0.4
@@ -40,8 +40,8 @@ class Outlines:
     things: list[FoundThing] = field(default_factory=list[FoundThing])
 
 
-def plan_outlines(drawn: Outlines, notes: ImportNotes) -> list[Feature]:
-    """Return the features of a plan; doors between pieces of floor become passages."""
+def plan_outlines(drawn: Outlines, notes: ImportNotes) -> list[PlanPart]:
+    """Return the parts of a building; doors between pieces of floor become passages."""
     notes.took.append(
         f"outlines of {counted(len(drawn.floor), 'corridor')}, "
         f"{counted(len(drawn.areas), 'open area')} and "
@@ -74,7 +74,7 @@ def plan_outlines(drawn: Outlines, notes: ImportNotes) -> list[Feature]:
     lines = [replace(line, name=_name_along(line, drawn)) for line in lines]
     planned = plan_floor(lines, notes, floor, areas)
     placed = place_found(planned, drawn.rooms, doors, drawn.things, notes)
-    return [*planned.features, *placed]
+    return [*planned.parts, *placed]
 
 
 def _is_passage(line: LineString, floor: BaseGeometry) -> bool:

@@ -14,24 +14,15 @@ import shapely
 from shapely import LineString, Point, Polygon, STRtree
 from shapely.geometry.base import BaseGeometry
 
-from memorymaze.construction.vocabulary import LandmarkKind, furnishings
 from memorymaze.geometry.points import XY
-from memorymaze.geometry.pose import heading_to
+from memorymaze.geometry.pose import heading_to, moved
 from memorymaze.importing.found import FoundDoor, FoundRoom, FoundThing
-from memorymaze.importing.imported import (
-    ImportNotes,
-)
-from memorymaze.importing.shapes import moved, polygons
+from memorymaze.importing.imported import ImportNotes
+from memorymaze.importing.shapes import polygons
 from memorymaze.importing.ways import PlannedFloor
 from memorymaze.sites.floor_rules import DOOR_WIDTHS, ROOM_OFF_DOOR, ROOM_ON_FLOOR
-from memorymaze.sites.plan_writing import (
-    Feature,
-    degrees,
-    line_feature,
-    point_feature,
-    polygon_feature,
-)
-from memorymaze.sites.records import rectangle
+from memorymaze.sites.records import Door, Landmark, PlanPart, Room, rectangle
+from memorymaze.sites.things import ThingKind, door_kinds, kind_of_thing
 from memorymaze.wording import counted
 
 BESIDE = 1.0
@@ -46,7 +37,6 @@ PASSAGE = 0.5
 """Metres on both sides of the middle of a way that obstacles leave free."""
 AROUND = 6.0
 """Metres around an obstacle within which it can block a way."""
-PLAIN_THING = LandmarkKind(size=(0.6, 0.5, 1.2), mount="floor", colors=("grey",))
 
 
 @dataclass(frozen=True)
@@ -85,8 +75,8 @@ def place_found(
     doors: Sequence[FoundDoor],
     things: Sequence[FoundThing],
     notes: ImportNotes,
-) -> list[Feature]:
-    """Return rooms, doors and things as features on and beside a floor."""
+) -> list[PlanPart]:
+    """Return rooms, doors and things on and beside a floor."""
     placer = _Placer(floor.polygon, notes)
     placed = [
         (list(placer.rooms(rooms)), "room"),
@@ -95,7 +85,7 @@ def place_found(
     ]
     notes.took.append(", ".join(counted(len(each), what) for each, what in placed))
     notes.guess_looks()
-    return [feature for each, _ in placed for feature in each]
+    return [part for each, _ in placed for part in each]
 
 
 class _Placer:
@@ -114,7 +104,7 @@ class _Placer:
         self._doors: list[LineString] = []
         self._obstacles: list[Polygon] = []
 
-    def rooms(self, found: Sequence[FoundRoom]) -> Iterator[Feature]:
+    def rooms(self, found: Sequence[FoundRoom]) -> Iterator[Room]:
         """Yield the rooms that lie beside the floor, without what they cover of it."""
         for room in found:
             beside = polygons(room.polygon.difference(self._floor))
@@ -131,19 +121,18 @@ class _Placer:
                 self._notes.guess("uses of rooms: office", room.source)
             identity = f"room_{len(self._rooms) + 1}"
             self._rooms.append((identity, room, beside[0]))
-            yield polygon_feature(
+            yield Room(
                 identity,
-                "room",
                 beside[0],
-                name=room.name or "",
-                use=room.use or "office",
-                source=room.source,
+                room.name or "",
+                room.use or "office",
+                more={"source": room.source},
             )
 
-    def doors(self, found: Sequence[FoundDoor]) -> Iterator[Feature]:
+    def doors(self, found: Sequence[FoundDoor]) -> Iterator[Door]:
         """Yield the doors, each in the nearest wall that is long enough."""
         for door in found:
-            kind = furnishings().doors[door.kind]
+            kind = door_kinds()[door.kind]
             if door.width is None:
                 self._notes.guess("widths of doors", door.source)
             wanted = min(max(door.width or kind.width, DOOR_WIDTHS[0]), DOOR_WIDTHS[1])
@@ -168,23 +157,25 @@ class _Placer:
                 moved(wall.start, wall.heading, middle), wall.inward, -ROOM_OFF_DOOR / 2
             )
             room, name = self._room_behind(line, Point(behind))
-            yield line_feature(
+            yield Door(
                 f"door_{len(self._doors)}",
-                "door",
-                ends,
-                room=room,
-                style=kind.style,
-                color=kind.colors[0],
-                label=door.label or name,
-                state="open" if door.is_open else "closed",
-                source=door.source,
+                line,
+                room,
+                kind.style,
+                kind.colors[0],
+                door.label or name,
+                "open" if door.is_open else "closed",
+                more={"source": door.source},
             )
 
-    def things(self, found: Sequence[FoundThing]) -> Iterator[Feature]:
+    def things(self, found: Sequence[FoundThing]) -> Iterator[Landmark]:
         """Yield the things, those near a wall with their back to it."""
         counts: dict[str, int] = {}
         for thing in found:
-            kind = furnishings().things.get(thing.category, PLAIN_THING)
+            kind = kind_of_thing(thing.category)
+            if kind is None:
+                self._notes.miss("things of no known kind", thing.source)
+                continue
             place, heading = self._stand(thing, kind)
             if place is None:
                 self._notes.miss(
@@ -205,19 +196,18 @@ class _Placer:
                 self._obstacles.append(footprint)
             stem = "_".join(re.findall("[a-z0-9]+", thing.category.lower())) or "thing"
             counts[stem] = counts.get(stem, 0) + 1
-            yield point_feature(
+            yield Landmark(
                 f"{stem}_{counts[stem]}",
-                "landmark",
-                place,
-                category=thing.category,
-                color=None,
-                name=thing.name,
-                text=None,
-                heading_deg=degrees(heading),
-                size_m=list(kind.size),
-                mount=kind.mount,
-                obstacle=kind.in_the_way and not blocks,
-                source=thing.source,
+                Point(place),
+                thing.category,
+                None,
+                thing.name,
+                None,
+                heading,
+                kind.size,
+                kind.mount,
+                kind.in_the_way and not blocks,
+                more={"source": thing.source},
             )
 
     def _walls_near(self, place: XY, reach: float, least: float) -> list[_Wall]:
@@ -245,7 +235,7 @@ class _Placer:
         _, identity, name = min(rooms, default=(0.0, None, None))
         return identity, name
 
-    def _stand(self, thing: FoundThing, kind: LandmarkKind) -> tuple[XY | None, float]:
+    def _stand(self, thing: FoundThing, kind: ThingKind) -> tuple[XY | None, float]:
         """Return where a thing stands or hangs and which way it faces."""
         length, depth, _ = kind.size
         on_floor = self._floor.covers(Point(thing.place))

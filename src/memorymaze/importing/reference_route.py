@@ -2,7 +2,7 @@
 
 import math
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations, pairwise
 
@@ -16,8 +16,8 @@ from memorymaze.errors import SettingsError, did_you_mean
 from memorymaze.geometry.floor import Floor
 from memorymaze.geometry.points import XY
 from memorymaze.geometry.pose import heading_to, turn_between
-from memorymaze.sites.plan_writing import Feature, degrees, line_feature
-from memorymaze.sites.records import Door, Landmark, Room, Site
+from memorymaze.sites.plan import in_millimetres
+from memorymaze.sites.records import Door, Landmark, Room, Route, RouteTurn, Site
 from memorymaze.sites.route_rules import CLEARANCE, GOAL_NEAR, STRAIGHT_ON
 
 MIDDLE_NEAR = 4.0
@@ -44,8 +44,8 @@ class _End:
     """What people call it."""
 
 
-def reference_route(site: Site, start: str, goal: str) -> Feature:
-    """Return a reference route as a feature of the site's plan.
+def reference_route(site: Site, start: str, goal: str) -> Route:
+    """Return a reference route through a site.
 
     Start and goal are ids or names of rooms, doors or things, or places `x,y` in metres;
     the goal has something within 4 m that people can be sent to. Raises `SettingsError`
@@ -81,18 +81,20 @@ def reference_route(site: Site, start: str, goal: str) -> Feature:
         line = _ended_near(line, there)
     numbers = {each.route for each in site.routes}
     number = next(n for n in range(1, len(numbers) + 2) if f"R{n}" not in numbers)
-    return line_feature(
+    walked = LineString(line)
+    route = Route(
         f"route_r{number}_reference",
-        "route",
-        line,
+        walked,
         route=f"R{number}",
         role="reference",
-        start_heading_deg=degrees(heading_to(line[0], line[1])),
+        start_heading=heading_to(line[0], line[1]),
         goal=end.words,
         goal_landmark=end.goal,
-        turns=list(turns_along(line, site)),
+        length=walked.length,
+        turns=tuple(turns_along(line, site)),
         note="",
     )
+    return in_millimetres(route)
 
 
 def _end(site: Site, said: str, which: str) -> _End:
@@ -241,7 +243,7 @@ def _drawn_out(line: LineString) -> LineString:
     return LineString([(x - dx, y - dy), (end_x + dx, end_y + dy)])
 
 
-def turns_along(line: Sequence[XY], site: Site) -> Iterator[Mapping[str, str]]:
+def turns_along(line: Sequence[XY], site: Site) -> Iterator[RouteTurn]:
     """Yield the turns of a line at turning points, bends within one put together."""
     bends: dict[str, float] = {}
     for before, corner, after in zip(line, line[1:], line[2:], strict=False):
@@ -261,7 +263,4 @@ def turns_along(line: Sequence[XY], site: Site) -> Iterator[Mapping[str, str]]:
     for at, angle in bends.items():
         if abs(angle) > STRAIGHT_ON:
             side = "left" if angle > 0 else "right"
-            yield {
-                "at": at,
-                "direction": side if abs(angle) >= SLIGHT else f"slight_{side}",
-            }
+            yield RouteTurn(at, side if abs(angle) >= SLIGHT else f"slight_{side}")

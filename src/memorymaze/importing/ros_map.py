@@ -12,11 +12,11 @@ from memorymaze.importing.imported import (
     CEILING,
     ImportedSite,
     ImportNotes,
-    site_plan,
+    imported_building,
 )
 from memorymaze.importing.obstacles import (
     OBSTACLE_HEIGHT,
-    box_features,
+    boxes_on,
     without_obstacles,
 )
 from memorymaze.importing.straight_walls import straight_walls
@@ -34,7 +34,7 @@ PLACES_TOLD = 5
 def import_ros_map(
     path: Path, *, narrowest: float = 2 * PASSABLE_RADIUS
 ) -> ImportedSite:
-    """Return the floor of a ROS map as a plan, in metres of the map's frame.
+    """Return the floor of a ROS map as a building, in metres of the map's frame.
 
     What lies behind ways narrower than `narrowest` metres is left out.
     """
@@ -56,7 +56,7 @@ def import_ros_map(
     ragged, standing = without_obstacles(space.floor)
     floor = straight_walls(ragged, stray)
     planned = plan_floor(centre_lines(floor), notes, floor)
-    obstacles = list(box_features(standing, planned.polygon))
+    obstacles = list(boxes_on(planned.polygon, standing))
     rows, columns = grid.free.shape
     notes.took.insert(
         0,
@@ -87,8 +87,8 @@ def import_ros_map(
     if space.gaps:
         notes.missing.append(_gaps_told(space.gaps))
     notes.missing.append("rooms, doors, names, things, routes: add them by hand")
-    features = [*planned.features, *obstacles]
-    return notes.imported(site_plan(path, None, "ground floor", None, features))
+    parts = [*planned.parts, *obstacles]
+    return notes.imported(imported_building(path, None, "ground floor", None, parts))
 
 
 def _gaps_told(gaps: tuple[LineString, ...]) -> str:

@@ -10,6 +10,7 @@ from shapely.geometry.base import BaseGeometry
 from shapely.ops import nearest_points
 
 from memorymaze.geometry.points import XY
+from memorymaze.geometry.pose import moved
 
 HAIR = 1e-3
 """Metres below which nothing is told apart; plans have whole millimetres."""
@@ -28,14 +29,6 @@ def polygons(geometry: BaseGeometry) -> list[Polygon]:
     parts = [each for part in parts for each in shapely.get_parts(part).tolist()]
     found = [part for part in parts if isinstance(part, Polygon) and part.area > 0]
     return sorted(found, key=lambda part: (-part.area, part.bounds))
-
-
-def moved(place: XY, heading: float, distance: float) -> XY:
-    """Return the place so many metres away along a heading."""
-    return (
-        place[0] + distance * math.cos(heading),
-        place[1] + distance * math.sin(heading),
-    )
 
 
 def strip(

@@ -10,6 +10,7 @@ import shapely
 from shapely import LinearRing, Polygon
 
 from memorymaze.geometry.points import FloatArray
+from memorymaze.geometry.pose import moved
 
 SAME_DIRECTION = math.radians(5)
 """Walls that stray less from one of the building's directions run along it."""
@@ -188,16 +189,12 @@ def _crossing(wall: _Wall, other: _Wall, slack: float) -> tuple[float, float] | 
         return None
     gap = np.subtract(other.middle, wall.middle)
     along = (gap[0] * math.sin(other.heading) - gap[1] * math.cos(other.heading)) / bend
-    x = wall.middle[0] + along * math.cos(wall.heading)
-    y = wall.middle[1] + along * math.sin(wall.heading)
-    return (x, y) if math.dist((x, y), wall.end) <= slack else None
+    place = moved(wall.middle, wall.heading, along)
+    return place if math.dist(place, wall.end) <= slack else None
 
 
 def _foot(wall: _Wall, place: tuple[float, float] | None = None) -> tuple[float, float]:
     """Return the point of a wall's line nearest to a place, or to its end."""
     gap = np.subtract(place or wall.end, wall.middle)
     along = float(gap[0] * math.cos(wall.heading) + gap[1] * math.sin(wall.heading))
-    return (
-        wall.middle[0] + along * math.cos(wall.heading),
-        wall.middle[1] + along * math.sin(wall.heading),
-    )
+    return moved(wall.middle, wall.heading, along)

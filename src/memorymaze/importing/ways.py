@@ -4,7 +4,7 @@ What comes out keeps the rules of the floor (`sites/floor_rules.py`): what would
 is made smaller or left to an area, and told.
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations, pairwise
 from typing import cast
@@ -13,19 +13,25 @@ import shapely
 from shapely import LineString, MultiPolygon, Point, Polygon
 
 from memorymaze.errors import ImportFileError
-from memorymaze.geometry.pose import heading_to
+from memorymaze.geometry.pose import heading_to, moved
 from memorymaze.importing.corridors import PlannedCorridor, corridors_along
 from memorymaze.importing.imported import CentreLine, ImportNotes
 from memorymaze.importing.junctions import (
     LineJunction,
+    exits_of,
     junctions_of,
-    shape_of,
-    ways_out,
 )
 from memorymaze.importing.line_graph import LineLeg, legs_of, nodes_of
-from memorymaze.importing.shapes import moved, polygons, strip
-from memorymaze.sites.plan_writing import Feature, degrees, polygon_feature
-from memorymaze.sites.records import floor_pieces
+from memorymaze.importing.shapes import polygons, strip
+from memorymaze.sites.exits import FloorShapes, shape_of
+from memorymaze.sites.floor_rules import exact_union
+from memorymaze.sites.records import (
+    Area,
+    Corridor,
+    PlanPart,
+    TurningPoint,
+    floor_pieces,
+)
 from memorymaze.wording import counted
 
 FLOOR_MATERIAL, WALL_MATERIAL = "linoleum", "plaster"
@@ -56,9 +62,9 @@ class OpenArea:
 
 @dataclass(frozen=True, slots=True)
 class PlannedFloor:
-    """The walkable floor of a plan."""
+    """The walkable floor of a building."""
 
-    features: tuple[Feature, ...]
+    parts: tuple[PlanPart, ...]
     """Corridors, areas and turning points."""
     polygon: Polygon
     """Their union, as rules and robots see it."""
@@ -191,17 +197,11 @@ def _rest(floor: Polygon, taken: Sequence[Polygon]) -> list[Polygon]:
     ]
 
 
-def _exact(parts: Iterable[Polygon]) -> Polygon | MultiPolygon:
-    """Return the union as `sites check` sees it first, with seams of 2 micrometres."""
-    eased = [part.buffer(1e-6, join_style="mitre") for part in parts]
-    return cast(Polygon | MultiPolygon, shapely.union_all(eased))
-
-
 def _patches(parts: Sequence[Polygon]) -> list[Polygon]:
     """Return pieces that close the small holes between parts."""
     return [
         patch
-        for piece in polygons(_exact(parts))
+        for piece in polygons(exact_union(parts))
         for hole in piece.interiors
         if Polygon(hole).area < SMALLEST_HOLE
         for patch in polygons(Polygon(hole).buffer(PATCH, join_style="mitre"))
@@ -214,59 +214,49 @@ def _planned(
     junctions: Sequence[LineJunction],
     notes: ImportNotes,
 ) -> PlannedFloor:
-    """Return the parts as features, with the seams between them closed."""
+    """Return the parts with ids and exits, the seams between them closed."""
     parts = [each.polygon for each in (*corridors, *areas, *junctions)]
     areas = [*areas, *(OpenArea(patch, None) for patch in _patches(parts))]
-    exact = _exact([*parts, *(area.polygon for area in areas)])
+    exact = exact_union([*parts, *(area.polygon for area in areas)])
     while True:
-        shapes = {
-            **{f"corridor_{n}": part.polygon for n, part in enumerate(corridors, 1)},
-            **{f"area_{n}": part.polygon for n, part in enumerate(areas, 1)},
-            **{f"tp_{n}": part.polygon for n, part in enumerate(junctions, 1)},
-        }
-        ways = [ways_out(each, exact, shapes) for each in junctions]
+        shapes = FloorShapes(
+            {f"corridor_{n}": part.polygon for n, part in enumerate(corridors, 1)},
+            {f"area_{n}": part.polygon for n, part in enumerate(areas, 1)},
+            {f"tp_{n}": part.polygon for n, part in enumerate(junctions, 1)},
+        )
+        exits = [exits_of(each, exact, shapes) for each in junctions]
         # A turning point without a way out is floor all the same.
-        blind = [each for each, out in zip(junctions, ways, strict=True) if not out]
+        blind = [each for each, out in zip(junctions, exits, strict=True) if not out]
         if not blind:
             break
         areas += [OpenArea(each.polygon, None) for each in blind]
         junctions = [each for each in junctions if each not in blind]
-    features = [
-        _floor_feature(f"corridor_{number}", "corridor", corridor)
-        for number, corridor in enumerate(corridors, 1)
-    ]
-    features += [
-        _floor_feature(f"area_{number}", "area", area, open_air=area.open_air)
-        for number, area in enumerate(areas, 1)
-    ]
-    features += [
-        polygon_feature(
-            f"tp_{number}",
-            "turning_point",
-            junction.polygon,
-            name=None,
-            shape=shape_of(junction, out),
-            exits=[{"to": way.to, "heading_deg": degrees(way.heading)} for way in out],
-        )
-        for number, (junction, out) in enumerate(zip(junctions, ways, strict=True), 1)
-    ]
-    floor = floor_pieces(list(shapes.values()))[0]
+    floor = floor_pieces([part for kind in shapes for part in kind.values()])[0]
     notes.took.append(
         f"{floor.area:.0f} m² of floor: {counted(len(corridors), 'corridor')}, "
         f"{counted(len(junctions), 'turning point')}, {counted(len(areas), 'open area')}"
     )
-    return PlannedFloor(tuple(features), floor)
-
-
-def _floor_feature(
-    identity: str, kind: str, part: PlannedCorridor | OpenArea, **properties: object
-) -> Feature:
-    return polygon_feature(
-        identity,
-        kind,
-        part.polygon,
-        name=part.name,
-        floor_material=FLOOR_MATERIAL,
-        wall_material=WALL_MATERIAL,
-        **properties,
+    planned = (
+        *(
+            Corridor(name, part.polygon, part.name, FLOOR_MATERIAL, WALL_MATERIAL)
+            for name, part in zip(shapes.corridors, corridors, strict=True)
+        ),
+        *(
+            Area(
+                name,
+                part.polygon,
+                part.name,
+                FLOOR_MATERIAL,
+                WALL_MATERIAL,
+                part.open_air,
+            )
+            for name, part in zip(shapes.areas, areas, strict=True)
+        ),
+        *(
+            TurningPoint(name, polygon, None, shape_of(out, shapes.areas), tuple(out))
+            for (name, polygon), out in zip(
+                shapes.turning_points.items(), exits, strict=True
+            )
+        ),
     )
+    return PlannedFloor(planned, floor)

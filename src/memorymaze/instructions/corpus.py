@@ -129,8 +129,8 @@ def _episode(instruction: Instruction, sites: Mapping[str, Site]) -> Episode:
 def _way_of(instruction: Instruction, site: Site) -> Route:
     """Return the way that an instruction describes; both exist."""
     if instruction.reference_route:
-        return site.route(instruction.reference_route)
-    return site.reference_route(instruction.route)
+        return site.find_route(instruction.reference_route)
+    return site.find_route(instruction.route)
 
 
 def _misplaced(instruction: Instruction, sites: Mapping[str, Site]) -> str | None:

@@ -102,7 +102,7 @@ def _describe(cell: list[Instruction], sites: Mapping[str, Site]) -> CellStatist
     words = [word_count(instruction.text) for instruction in cell]
     site = sites[one.site]
     alternative = [
-        site.route(instruction.reference_route).role == "alternative"
+        site.find_route(instruction.reference_route).role == "alternative"
         for instruction in cell
     ]
     return CellStatistics(

@@ -1,7 +1,7 @@
 """What nouns mean: synonyms and kinds, from WordNet and a table of building terms.
 
 The data are read at the first look-up. How phrases are taken apart and compared is
-in `noun_phrase.py` and `vocabulary.py`.
+in `noun_phrase.py` and `matching.py`.
 """
 
 import gzip

@@ -1,8 +1,9 @@
 """Meshes of one floor from a file: named pieces with z up, in metres."""
 
 import io
+import re
 import warnings
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -33,11 +34,9 @@ Faces = NDArray[np.int64]
 
 @dataclass(frozen=True, eq=False)
 class MeshPiece:
-    """A node of a scene with its mesh, which may be empty, in metres, z up."""
+    """A node of a scene with its mesh, in metres, z up."""
 
     name: str
-    extras: Mapping[str, Any]
-    """What the file says beside its shape, such as the plan's members in our export."""
     vertices: FloatArray
     faces: Faces
     visual: Any = None
@@ -114,22 +113,26 @@ def _scene(path: Path, kind: str, *, with_looks: bool) -> Any:
 
 
 def _pieces(scene: Any) -> Iterator[MeshPiece]:
-    """Yield a piece for each node that has a mesh or says something."""
-    edges, parents = scene.graph.transforms.edge_data, scene.graph.transforms.parents
+    """Yield a piece for each node that has a mesh, and material of it."""
+    parents = scene.graph.transforms.parents
     for node in scene.graph.nodes:
         matrix, name = scene.graph.get(node)
-        extras = edges.get((parents.get(node), node), {}).get("metadata") or {}
         mesh = scene.geometry.get(name)
         faces = getattr(mesh, "faces", ())
-        if not extras and not len(faces):
+        if not len(faces):
             continue
-        vertices = np.zeros((0, 3))
-        if len(faces):
-            corners = np.asarray(mesh.vertices, dtype=np.float64)
-            vertices = corners @ matrix[:3, :3].T + matrix[:3, 3]
+        corners = np.asarray(mesh.vertices, dtype=np.float64)
+        vertices = corners @ matrix[:3, :3].T + matrix[:3, 3]
         numbers = np.asarray(faces, dtype=np.int64).reshape(-1, 3)
-        name = str(extras.get("id") or node)
-        yield MeshPiece(name, extras, vertices, numbers, getattr(mesh, "visual", None))
+        # Of a mesh of several materials trimesh makes nodes within its node.
+        whole = str(parents.get(node))
+        part = re.fullmatch(re.escape(whole) + "_[0-9a-f]{6}", str(node))
+        yield MeshPiece(
+            whole if part else str(node),
+            vertices,
+            numbers,
+            getattr(mesh, "visual", None),
+        )
 
 
 def _changed(piece: MeshPiece, vertices: FloatArray) -> MeshPiece:

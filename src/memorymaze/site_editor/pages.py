@@ -17,8 +17,6 @@ from starlette.routing import BaseRoute, Route
 from memorymaze.errors import SitePlanError
 from memorymaze.pages.entrance import Entrance
 from memorymaze.pages.web import render
-from memorymaze.pictures.looks.catalogue import archetypes, problems_of_looks
-from memorymaze.pictures.looks.materials import colour_words
 from memorymaze.site_editor.plan_file import (
     ChangedMeanwhile,
     Edited,
@@ -39,6 +37,7 @@ from memorymaze.sites.loading_rules import floor_is_complete
 from memorymaze.sites.plan_models import FEATURE_MODELS, PlanHeader
 from memorymaze.sites.reading import understand_plan
 from memorymaze.sites.records import Site, floor_pieces
+from memorymaze.sites.things import door_kinds, problems_of_categories, thing_kinds
 
 _Message = TypeVar("_Message", bound=BaseModel)
 
@@ -134,11 +133,10 @@ class EditorPages:
         problems = plan_problems(understand_plan(document), self._file.path)
         site, complete = _site_of(document, self._file.path)
         if site is not None and not any(each.severity == "error" for each in problems):
-            problems += problems_of_looks(site)
+            problems += problems_of_categories(site)
         walls: list[Polygon] = []
         if site is not None and complete:
-            floor = (*site.corridors, *site.areas, *site.turning_points)
-            walls = floor_pieces([each.polygon for each in floor])
+            walls = floor_pieces([each.polygon for each in site.floor_parts])
         return {
             "problems": [each._asdict() for each in problems],
             "walls": [
@@ -195,6 +193,9 @@ def _site_of(document: Plan, path: Path) -> tuple[Site | None, bool]:
 
 def _forms() -> dict[str, Any]:
     """Return the properties of each kind as JSON schemas, and the words for them."""
+    things = thing_kinds()
+    kinds = (*things.values(), *door_kinds().values())
+    bench = things["bench"]
     return {
         "kinds": {
             kind: model.model_json_schema() for kind, model in FEATURE_MODELS.items()
@@ -205,7 +206,13 @@ def _forms() -> dict[str, Any]:
             "wall_material": WALL_MATERIALS,
             "use": ROOM_USES,
             "style": DOOR_STYLES,
-            "category": sorted(archetypes()),
-            "color": sorted(colour_words().colours),
+            "category": sorted(things),
+            "color": sorted({each for kind in kinds for each in kind.colors}),
+        },
+        "new_thing": {
+            "category": bench.name,
+            "size_m": bench.size,
+            "mount": bench.mount,
+            "obstacle": bench.in_the_way,
         },
     }

@@ -1,12 +1,12 @@
 """The file that is edited: what it says, what is not saved yet, and saving.
 
-A browser sends the features that it has not touched by their place in the file, so that
-they are written again byte for byte.
+A browser sends the features that it has not touched by their place in the file: what it
+sends while its page closes must be small.
 """
 
 import json
 import threading
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
@@ -16,14 +16,7 @@ from pydantic import BaseModel, ConfigDict, ValidationError
 from memorymaze.durable_files import write_whole
 from memorymaze.errors import SettingsError, SitePlanError
 from memorymaze.input_files import parse_json, read_text
-from memorymaze.site_editor.json_text import (
-    Written,
-    dumped,
-    read_written,
-    refilled,
-    relisted,
-    rewritten,
-)
+from memorymaze.sites.plan import written_plan
 
 Plan = dict[str, Any]
 SUFFIXES = (".geojson", ".json")
@@ -73,7 +66,7 @@ class _Read:
     """The file as it was read."""
 
     text: str
-    written: Written
+    plan: Plan
     is_there: bool
 
     @property
@@ -103,7 +96,7 @@ class PlanFile:
             self._read = self._read_file()
             return {
                 "base": self._read.base,
-                "plan": self._read.written.value,
+                "plan": self._read.plan,
                 "draft": self._kept.draft,
                 "is_old_draft": self._kept.base != self._read.base,
                 "picture": self._kept.picture and self._kept.picture.model_dump(),
@@ -116,7 +109,7 @@ class PlanFile:
                 raise ChangedMeanwhile(
                     f"{self.path.name} was saved in another window since it was loaded here."
                 )
-            there = self._read.written.value.get("features")
+            there = self._read.plan.get("features")
             there = there if isinstance(there, list) else []
             if any(
                 isinstance(e, int) and not 0 <= e < len(there) for e in edited.features
@@ -132,8 +125,8 @@ class PlanFile:
         """Keep what is not saved, and return it as a whole plan."""
         with self._lock:
             document = self.document(edited)
-            is_saved = self._text_of(edited) == self._read.text
-            self._keep(base=self._read.base, draft=None if is_saved else document)
+            draft = None if _is_same(document, self._read.plan) else document
+            self._keep(base=self._read.base, draft=draft)
         return document
 
     def discard_draft(self) -> None:
@@ -153,56 +146,21 @@ class PlanFile:
         wants to replace it all the same reads it again first.
         """
         with self._lock:
-            self.document(edited)
-            text = self._text_of(edited)
+            document = self.document(edited)
             if self._is_changed_on_disk():
                 raise ChangedMeanwhile(
                     f"{self.path.name} was changed on the disk since it was loaded here."
                 )
-            if text != self._read.text or not self._read.is_there:
-                write_whole(self.path, text.encode())
-            self._read = _Read(text, read_written(text), is_there=True)
+            if not (self._read.is_there and _is_same(document, self._read.plan)):
+                content = written_plan({"type": "FeatureCollection", **document})
+                write_whole(self.path, content)
+                self._read = _Read(content.decode(), document, is_there=True)
             self._keep(draft=None)
             return self._read.base
 
-    def _text_of(self, edited: Edited) -> str:
-        """Return what the file says when this is saved."""
-        text, whole = self._read.text, self._read.written
-        written = dict(zip(whole.value, whole.parts, strict=True))
-        listed = written.get("features", Written([], 0, 0))
-        parts = listed.parts if isinstance(listed.value, list) else ()
-        by_id = {
-            str(part.value.get("id")): part
-            for part in reversed(parts)
-            if isinstance(part.value, dict)
-        }
-
-        def feature(each: Any) -> str:
-            if isinstance(each, int):
-                return text[parts[each].start : parts[each].end]
-            part = by_id.get(str(each.get("id"))) if isinstance(each, dict) else None
-            return dumped(each) if part is None else rewritten(text, part, each)
-
-        features = [feature(each) for each in edited.features]
-        contents = {
-            name: rewritten(text, written[name], value)
-            if name in written
-            else dumped(value)
-            for name, value in edited.members.items()
-        }
-        if features or "features" in written:
-            old = replace(listed, parts=parts)
-            contents["features"] = relisted(text, old, features)
-        if contents.keys() != written.keys():
-            lines = [f"  {dumped(name)}: {each}" for name, each in contents.items()]
-            return "{\n" + ",\n".join(lines) + "\n}\n"
-        body = refilled(text, whole, [contents[name] for name in written])
-        return text[: whole.start] + body + text[whole.end :]
-
     def _read_file(self) -> _Read:
         if not self.path.exists():
-            text = _new_plan(self.path.stem)
-            return _Read(text, read_written(text), is_there=False)
+            return _Read("", _new_plan(self.path.stem), is_there=False)
         text = read_text(self.path, SitePlanError)
         try:
             document = parse_json(text)
@@ -214,7 +172,7 @@ class PlanFile:
             raise SitePlanError(
                 f'{self.path}: expected {{"type": "FeatureCollection", …}} at the top'
             )
-        return _Read(text, read_written(text), is_there=True)
+        return _Read(text, document, is_there=True)
 
     def _is_changed_on_disk(self) -> bool:
         if not self.path.exists():
@@ -242,9 +200,17 @@ class PlanFile:
             write_whole(self._drafts, json.dumps(self._kept.model_dump()).encode())
 
 
-def _new_plan(name: str) -> str:
+def _is_same(one: Plan, other: Plan) -> bool:
+    """Tell whether plans are the same to a browser, where 5 is 5.0 and 1 is not true."""
+    one, other = (
+        json.loads(json.dumps(each), parse_int=float) for each in (one, other)
+    )
+    return json.dumps(one, sort_keys=True) == json.dumps(other, sort_keys=True)
+
+
+def _new_plan(name: str) -> Plan:
     """Return a plan in which nothing stands yet."""
-    members = {
+    return {
         "type": "FeatureCollection",
         "name": name,
         "title": name.replace("_", " ").capitalize(),
@@ -252,6 +218,5 @@ def _new_plan(name: str) -> str:
         "ceiling_height_m": 2.8,
         "anchor": None,
         "description": "",
+        "features": [],
     }
-    lines = [f"  {dumped(key)}: {dumped(value)},\n" for key, value in members.items()]
-    return f'{{\n{"".join(lines)}  "features": [\n  ]\n}}\n'

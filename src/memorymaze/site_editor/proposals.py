@@ -6,27 +6,33 @@ changed by hand.
 
 import math
 from collections.abc import Iterator
+from dataclasses import asdict
 from itertools import combinations, count, pairwise
 from typing import Any
 
-from shapely import LineString, Point, Polygon, union_all
+from shapely import LineString, Point, Polygon
 from shapely.affinity import scale
 
 from memorymaze.geometry.pose import heading_to, turn_between
 from memorymaze.importing.reference_route import goals_of, turns_along
-from memorymaze.sites.floor_rules import ROOM_OFF_DOOR, SAME_EXIT, TOUCH, exit_reach
-from memorymaze.sites.plan_writing import degrees, polygon_feature
-from memorymaze.sites.records import Area, Corridor, Site, TurningPoint
+from memorymaze.sites.exits import (
+    TOUCH,
+    Course,
+    FloorShapes,
+    exit_reach,
+    exits_along,
+    shape_of,
+)
+from memorymaze.sites.floor_rules import ROOM_OFF_DOOR, exact_union
+from memorymaze.sites.plan import feature_of, in_millimetres, rounded_degrees
+from memorymaze.sites.records import Corridor, Site, TurningPoint
 from memorymaze.sites.route_rules import GOAL_NEAR
 
 _Feature = dict[str, Any]
-_Floor = Corridor | Area | TurningPoint
-STRAIGHT_ON = math.radians(150)
-"""Exits at a larger angle are a way through."""
+BEYOND = 0.5
+"""Metres at least beyond a turning point that tell what one comes to."""
 CROSSING = math.radians(20)
 """Corridors at a smaller angle go on in each other."""
-SHAPES = {1: "dead_end", 2: "corner", 3: "t_junction"}
-"""By the number of exits; more are a crossing."""
 
 
 def completed(feature: _Feature, site: Site) -> _Feature:
@@ -35,7 +41,10 @@ def completed(feature: _Feature, site: Site) -> _Feature:
     coordinates = feature["geometry"]["coordinates"]
     match properties["kind"]:
         case "turning_point":
-            properties |= _ways_out(feature["id"], Polygon(coordinates[0]), site)
+            point = _turning_point(
+                feature["id"], Polygon(coordinates[0]), properties["name"], site
+            )
+            properties |= feature_of(point)["properties"]
         case "door":
             line = LineString(coordinates)
             near = [(room.polygon.distance(line), room.id) for room in site.rooms]
@@ -60,12 +69,7 @@ def missing_turning_points(site: Site, ids: set[str]) -> Iterator[_Feature]:
         taken.append(place)
         free = next(n for n in count(1) if f"tp_{n}" not in ids)
         ids.add(f"tp_{free}")
-        feature = polygon_feature(f"tp_{free}", "turning_point", place, name=None)
-        yield completed(feature, site)
-
-
-def _floor_of(site: Site) -> tuple[_Floor, ...]:
-    return (*site.corridors, *site.areas, *site.turning_points)
+        yield feature_of(_turning_point(f"tp_{free}", place, None, site))
 
 
 def _meeting_place(one: Corridor, other: Corridor) -> Polygon | None:
@@ -98,50 +102,43 @@ def _ends(line: LineString) -> tuple[tuple[float, float], tuple[float, float]]:
     return (x[0], y[0]), (x[-1], y[-1])
 
 
-def _ways_out(own_id: str, place: Polygon, site: Site) -> _Feature:
-    """Return the exits of a turning point, and the shape that they make."""
-    others = [each for each in _floor_of(site) if each.id != own_id]
-    floor = union_all([each.polygon.buffer(1e-6) for each in others] + [place])
-    middle, reach = place.centroid, exit_reach(place)
-    touching = [each for each in others if each.polygon.distance(place) <= TOUCH]
-    along = [course for each in touching for course in _courses(each)]
-    exits: list[tuple[float, str]] = []
-    for heading in (*along, *_across_edges(place)):
-        end = (
-            middle.x + reach * math.cos(heading),
-            middle.y + reach * math.sin(heading),
-        )
-        leading = [
-            (not isinstance(each, Corridor), isinstance(each, TurningPoint), each.id)
-            for each in touching
-            if each.polygon.distance(Point(end)) <= TOUCH and _is_way_in(each, heading)
-        ]
-        is_new = all(abs(turn_between(heading, e)) >= SAME_EXIT for e, _ in exits)
-        probe = LineString([(middle.x, middle.y), end])
-        if is_new and leading and floor.covers(probe):
-            exits.append((heading, min(leading)[-1]))
-    shape = SHAPES.get(len(exits), "crossing")
-    if len(exits) == 2 and abs(turn_between(exits[0][0], exits[1][0])) > STRAIGHT_ON:
-        shape = "opening"
-    return {
-        "shape": shape,
-        "exits": [{"to": to, "heading_deg": degrees(way)} for way, to in sorted(exits)],
-    }
+def _turning_point(
+    identity: str, place: Polygon, name: str | None, site: Site
+) -> TurningPoint:
+    """Return a turning point with its exits and the shape that they make."""
+    parts = FloorShapes(*(
+        {each.id: each.polygon for each in kind if each.id != identity}
+        for kind in (site.corridors, site.areas, site.turning_points)
+    ))  # fmt: skip
+    shapes = [shape for kind in parts for shape in kind.values()]
+    floor = exact_union([*shapes, place])
+    # Into corridors one walks along them only.
+    leading = [
+        (heading, {each.id: each.polygon})
+        for each in site.corridors
+        if each.id != identity and each.polygon.distance(place) <= TOUCH
+        for heading in (_course(each), turn_between(math.pi, _course(each)))
+    ] + [(heading, {}) for heading in _across_edges(place)]
+    courses = [
+        Course(heading, _straight(heading, place), parts._replace(corridors=along))
+        for heading, along in leading
+    ]
+    exits = list(exits_along(courses, place, floor))
+    exits.sort(key=lambda each: each.heading % (2 * math.pi))
+    shape = shape_of(exits, parts.areas)
+    return in_millimetres(TurningPoint(identity, place, name, shape, tuple(exits)))
 
 
-def _courses(floor: _Floor) -> list[float]:
-    """Return the two directions along a corridor."""
-    if not isinstance(floor, Corridor):
-        return []
-    return [_course(floor), turn_between(math.pi, _course(floor))]
+def _straight(heading: float, place: Polygon) -> LineString:
+    """Return the way straight ahead from the middle of a place to what lies beyond."""
+    x, y = place.centroid.x, place.centroid.y
 
+    def ahead(distance: float) -> LineString:
+        end = (x + distance * math.cos(heading), y + distance * math.sin(heading))
+        return LineString([(x, y), end])
 
-def _is_way_in(floor: _Floor, heading: float) -> bool:
-    """Tell whether one walks into floor in a direction: corridors only along them."""
-    courses = _courses(floor)
-    return not courses or any(
-        abs(turn_between(heading, each)) < SAME_EXIT for each in courses
-    )
+    within = ahead(place.length).intersection(place).length
+    return ahead(max(exit_reach(place), within + BEYOND))
 
 
 def _across_edges(place: Polygon) -> Iterator[float]:
@@ -156,8 +153,8 @@ def _way(line: LineString, site: Site) -> _Feature:
     places = [(x, y) for x, y, *_ in line.coords]
     end = Point(places[-1])
     found: _Feature = {
-        "start_heading_deg": degrees(heading_to(places[0], places[1])),
-        "turns": list(turns_along(places, site)),
+        "start_heading_deg": rounded_degrees(heading_to(places[0], places[1])),
+        "turns": [asdict(turn) for turn in turns_along(places, site)],
     }
     # The wall of a room is often nearer than what one is led to.
     near = [

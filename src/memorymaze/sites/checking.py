@@ -4,7 +4,8 @@ What each rule means is in `docs/site_plans.md`.
 """
 
 import math
-from collections.abc import Iterator, Sequence
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -25,6 +26,7 @@ from memorymaze.sites.problems import PLAN, Rule, SiteProblem
 from memorymaze.sites.reading import PlanContent, read_plan
 from memorymaze.sites.records import Site
 from memorymaze.sites.route_rules import route_findings
+from memorymaze.sites.shape_rules import shape_problem
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,6 +63,13 @@ ROOM_USES = (
     "stairwell",
 )
 DOOR_STYLES = ("wood", "glass", "steel", "automatic_glass", "elevator", "fire")
+WORDS = {
+    "floor_material": FLOOR_MATERIALS,
+    "wall_material": WALL_MATERIALS,
+    "use": ROOM_USES,
+    "style": DOOR_STYLES,
+}
+"""The words of the format, by member."""
 
 
 def find_site_problems(path: str | Path) -> list[SiteProblem]:
@@ -79,27 +88,46 @@ def find_site_problems(path: str | Path) -> list[SiteProblem]:
     return plan_problems(read_plan(path), path)
 
 
-def plan_problems(
-    content: PlanContent, path: Path, *, of_benchmark: bool = False
-) -> list[SiteProblem]:
-    """Find everything in what was read of a plan that breaks a rule of the format.
-
-    Floors of the benchmark, by their names or because it is said, also have its size.
-    """
+def plan_problems(content: PlanContent, path: Path) -> list[SiteProblem]:
+    """Find everything in what was read of a plan that breaks a rule of the format."""
     site, broken, findings = site_from_content(content, str(path))
     findings = [*content.findings, *findings]
     if site is not None:
-        has_size = of_benchmark or site.name in PUBLISHED
-        unsound = loading_findings(site, broken)
-        findings += unsound
-        if floor_is_complete(broken) and not any(
-            finding.rule in FLOOR_RULES for finding in unsound
-        ):
-            findings += _findings_on_floor(site, has_size=has_size)
-        if has_size and not broken:
-            findings += _benchmark_findings(site)
-    findings += _wording_findings(content.header, content.features, path)
+        findings += _findings_together(site, broken, site.name in PUBLISHED)
+    findings += _findings_as_written(content.header, content.features, path)
     return [each._replace(file=str(path)) for each in findings]
+
+
+def made_site_problems(site: Site) -> list[SiteProblem]:
+    """Find every rule that a building breaks which no plan was read of.
+
+    It is held to the size of the benchmark's floors too. Broken shapes come alone.
+    """
+    findings = [
+        SiteProblem(each, "unique-id", f"expected an id of its own, got {each!r} twice")
+        for each, count in Counter(part.id for part in site.parts).items()
+        if count > 1
+    ]
+    findings += filter(None, map(shape_problem, site.parts))
+    if not findings:
+        findings += _findings_together(site, {}, has_size=True)
+        for part in site.parts:
+            findings += _word_findings(part.id, part)
+    return findings
+
+
+def _findings_together(
+    site: Site, broken: Mapping[str, str], has_size: bool
+) -> list[SiteProblem]:
+    """Find what is wrong with sound features seen together."""
+    findings = loading_findings(site, broken)
+    if floor_is_complete(broken) and not any(
+        finding.rule in FLOOR_RULES for finding in findings
+    ):
+        findings += _findings_on_floor(site, has_size=has_size)
+    if has_size and not broken:
+        findings += _benchmark_findings(site)
+    return findings
 
 
 def _findings_on_floor(site: Site, *, has_size: bool) -> Iterator[SiteProblem]:
@@ -152,9 +180,9 @@ def _benchmark_findings(site: Site) -> Iterator[SiteProblem]:
             )
 
 
-def _wording_findings(
+def _findings_as_written(
     header: models.PlanHeader | None,
-    features: Sequence[models.FeatureModel],
+    features: Sequence[models.AnyFeature],
     path: Path,
 ) -> Iterator[SiteProblem]:
     """Find words, names and angles that are usable but not those of the format."""
@@ -167,22 +195,7 @@ def _wording_findings(
             "warning",
         )
     for feature in features:
-        if not SNAKE_CASE.fullmatch(feature.id):
-            yield SiteProblem(
-                feature.id,
-                "id-snake-case",
-                "expected an id in lower-case letters, digits and underscores",
-                "warning",
-            )
-        for member, word, known in _words(feature):
-            if word not in known:
-                yield SiteProblem(
-                    feature.id,
-                    "known-word",
-                    f"{member}: expected one of {', '.join(known)}, got {word!r}, "
-                    "which is kept",
-                    "warning",
-                )
+        yield from _word_findings(feature.id, feature.properties)
         for member, degrees in _headings(feature):
             if not 0 <= degrees < 360:
                 turned = math.fmod(math.fmod(degrees, 360) + 360, 360)
@@ -195,30 +208,31 @@ def _wording_findings(
                 )
 
 
-def _words(
-    feature: models.FeatureModel,
-) -> Iterator[tuple[str, str, tuple[str, ...]]]:
-    match feature:
-        case models.CorridorFeature() | models.AreaFeature():
-            floor = feature.properties
-            yield "floor_material", floor.floor_material, FLOOR_MATERIALS
-            yield "wall_material", floor.wall_material, WALL_MATERIALS
-        case models.RoomFeature():
-            yield "use", feature.properties.use, ROOM_USES
-        case models.DoorFeature():
-            yield "style", feature.properties.style, DOOR_STYLES
-        case _:
-            return
+def _word_findings(identity: str, said: object) -> Iterator[SiteProblem]:
+    """Find an id and words that are not those of the format."""
+    if not SNAKE_CASE.fullmatch(identity):
+        yield SiteProblem(
+            identity,
+            "id-snake-case",
+            "expected an id in lower-case letters, digits and underscores",
+            "warning",
+        )
+    for member, known in WORDS.items():
+        word = vars(said).get(member)
+        if word is not None and word not in known:
+            yield SiteProblem(
+                identity,
+                "known-word",
+                f"{member}: expected one of {', '.join(known)}, got {word!r}, "
+                "which is kept",
+                "warning",
+            )
 
 
-def _headings(feature: models.FeatureModel) -> Iterator[tuple[str, float]]:
-    match feature:
-        case models.TurningPointFeature():
-            for way in feature.properties.exits:
-                yield "exits.heading_deg", way.heading_deg
-        case models.LandmarkFeature():
-            yield "heading_deg", feature.properties.heading_deg
-        case models.RouteFeature():
-            yield "start_heading_deg", feature.properties.start_heading_deg
-        case _:
-            return
+def _headings(feature: models.AnyFeature) -> Iterator[tuple[str, float]]:
+    said = vars(feature.properties)
+    for way in said.get("exits", ()):
+        yield "exits.heading_deg", way.heading_deg
+    for member in ("heading_deg", "start_heading_deg"):
+        if member in said:
+            yield member, said[member]

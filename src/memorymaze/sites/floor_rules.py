@@ -1,15 +1,16 @@
 """Rules of the floor, and of what stands on it and lies along it."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 import shapely
-from shapely import LineString, Point, Polygon, union_all
+from shapely import Point, Polygon, union_all
+from shapely.geometry.base import BaseGeometry
 
 from memorymaze.geometry.pose import turn_between
+from memorymaze.sites.exits import SAME_EXIT, TOUCH, exit_reach, is_free
 from memorymaze.sites.problems import PLAN, SiteProblem
 from memorymaze.sites.records import (
-    Area,
     Corridor,
     Door,
     Landmark,
@@ -21,16 +22,12 @@ CORRIDOR_WIDTHS = (1.8, 8.0)
 """Metres; the wider half is for the ways between a museum's exhibits."""
 FLOOR_ACROSS = (35.0, 110.0)
 """Metres along the longer side of the floor's bounding box."""
-TOUCH = 0.01
-"""Metres that may lie between a turning point and what its exit leads to."""
 CONVEX_SLACK = 0.01
 """Square metres a turning point may lack of its hull."""
 SLIVER_AREA = 0.05
 """A hole smaller than this many square metres is a seam that does not close."""
 SMALLEST_SLIVER = 1e-4
 """Holes smaller than this many square metres come from rounding."""
-SAME_EXIT = math.radians(20)
-"""Exits closer than this cannot be told apart."""
 PASSABLE_RADIUS = 0.25
 """Metres."""
 SMALLEST_POCKET = 0.5
@@ -59,12 +56,15 @@ def exact_floor(site: Site) -> Polygon:
     `Site.walkable_floor` forgives more, so a gap is seen here first. Where the floor
     hangs together only with that forgiveness, this is `Site.walkable_floor`.
     """
-    floor = union_all([
-        each.polygon.buffer(1e-6, join_style="mitre") for each in _floor_parts(site)
-    ])
+    floor = exact_union([each.polygon for each in site.floor_parts])
     # A union in one piece can be a collection of one.
     pieces = shapely.get_parts(floor).tolist()
     return pieces[0] if len(pieces) == 1 else site.walkable_floor
+
+
+def exact_union(parts: Iterable[Polygon]) -> BaseGeometry:
+    """Return the union of floor as drawn, with seams of up to 2 micrometres closed."""
+    return union_all([each.buffer(1e-6, join_style="mitre") for each in parts])
 
 
 def floor_findings(site: Site, floor: Polygon) -> Iterator[SiteProblem]:
@@ -73,13 +73,9 @@ def floor_findings(site: Site, floor: Polygon) -> Iterator[SiteProblem]:
     yield from _narrow_places(site)
     for corridor in site.corridors:
         yield from _corridor(corridor)
-    parts = {each.id: each.polygon for each in _floor_parts(site)}
+    parts = {each.id: each.polygon for each in site.floor_parts}
     for point in site.turning_points:
         yield from _turning_point(point, parts, floor)
-
-
-def _floor_parts(site: Site) -> tuple[Corridor | Area | TurningPoint, ...]:
-    return (*site.corridors, *site.areas, *site.turning_points)
 
 
 def _seams(site: Site, floor: Polygon) -> Iterator[SiteProblem]:
@@ -161,7 +157,6 @@ def _turning_point(
             "turning-point-convex",
             f"expected a convex shape, got one that lacks {lacking:.2f} m² of its hull",
         )
-    middle = point.polygon.centroid
     reach = exit_reach(point.polygon)
     for index, way in enumerate(point.exits):
         degrees = math.degrees(way.heading) % 360
@@ -173,11 +168,7 @@ def _turning_point(
                 "exit-touches",
                 f"expected an exit to a neighbour, got {way.to!r}, {gap:.2f} m away",
             )
-        end = (
-            middle.x + reach * math.cos(way.heading),
-            middle.y + reach * math.sin(way.heading),
-        )
-        if not floor.contains(LineString([(middle.x, middle.y), end])):
+        if not is_free(point.polygon, way.heading, floor):
             yield SiteProblem(
                 point.id,
                 "exit-heading",
@@ -193,11 +184,6 @@ def _turning_point(
                     f"{way.to!r} and {other.to!r} near {degrees:.0f} degrees",
                     "warning",
                 )
-
-
-def exit_reach(place: Polygon) -> float:
-    """Return how far from the middle of a turning point its exits must be free, metres."""
-    return 0.75 * math.sqrt(place.area) + 0.8
 
 
 def thing_findings(site: Site, floor: Polygon) -> Iterator[SiteProblem]:

@@ -1,34 +1,23 @@
 """Sites from plans: those of this package, files and folders, made into records."""
 
-import json
-import math
 import re
 from collections.abc import Callable, Sequence
-from itertools import pairwise
 from pathlib import Path
-from typing import TypeVar
+from typing import Any, cast
 
+from pydantic import BaseModel
 from shapely import LineString, Point, Polygon
-from shapely.validation import explain_validity
 
 from memorymaze.errors import SettingsError, SitePlanError, did_you_mean
-from memorymaze.geometry.pose import wrap_angle
 from memorymaze.sites import plan_models as models
 from memorymaze.sites import records
 from memorymaze.sites.loading_rules import loading_findings
-from memorymaze.sites.problems import Rule, SiteProblem
+from memorymaze.sites.plan import heading_of
+from memorymaze.sites.problems import SiteProblem
 from memorymaze.sites.reading import PlanContent, read_plan
-
-_Record = TypeVar("_Record")
+from memorymaze.sites.shape_rules import shape_problem
 
 SNAKE_CASE = re.compile(r"[a-z0-9]+(_[a-z0-9]+)*")
-
-SMALLEST_AREA = 0.01
-"""A floor or room smaller than this many square metres is a slip of the pen."""
-SHORTEST_LINE = 0.01
-"""Metres."""
-CONVEX_SLACK = 1e-6
-"""Square metres a four-cornered corridor may lack of its hull."""
 
 BUILTIN_SITE_NAMES: tuple[str, ...] = ("university", "museum_5f", "museum_7f")
 """The three floors of the benchmark."""
@@ -52,21 +41,33 @@ def load_site(site: str | Path) -> records.Site:
 
 def sound_site(plan: PlanContent, source: str) -> records.Site:
     """Return the site of a plan, or say why it cannot be used."""
-    site, broken, shape_findings = site_from_content(plan, source)
-    findings = [*plan.findings, *shape_findings]
+    site, broken, findings = site_from_content(plan, source)
+    findings = [*plan.findings, *findings]
     if site is not None:
         findings += loading_findings(site, broken)
-    if findings or site is None:
-        first, *others = findings
-        more = (
-            f" ({len(others)} more: see them all with `memorymaze sites check {source}`)"
-            if others
-            else ""
-        )
-        raise SitePlanError(
-            f"{source}: {first.feature}: {first.rule}: {first.message}{more}"
-        )
-    return site
+    _refuse(source, findings)
+    return cast(records.Site, site)  # without one there are findings
+
+
+def check_sound(site: records.Site) -> None:
+    """Refuse a building that was made in memory and cannot be used."""
+    flaws = [flaw for flaw in map(shape_problem, site.parts) if flaw is not None]
+    _refuse(site.source or site.name, flaws or loading_findings(site, {}))
+
+
+def _refuse(source: str, findings: Sequence[SiteProblem]) -> None:
+    """Say the first thing that is wrong, and how many more there are."""
+    if not findings:
+        return
+    first, *others = findings
+    more = (
+        f" ({len(others)} more: see them all with `memorymaze sites check {source}`)"
+        if others
+        else ""
+    )
+    raise SitePlanError(
+        f"{source}: {first.feature}: {first.rule}: {first.message}{more}"
+    )
 
 
 def load_sites(folder: str | Path | None = None) -> dict[str, records.Site]:
@@ -124,14 +125,6 @@ def plan_file(site: str | Path) -> Path:
     return Path(site)
 
 
-class _ShapeError(Exception):
-    """A shape breaks a rule."""
-
-    def __init__(self, rule: Rule, message: str) -> None:
-        super().__init__(message)
-        self.rule: Rule = rule
-
-
 def new_plan(name: str) -> bytes:
     """Return a small plan to begin with: two corridors, a corner, a door, a route.
 
@@ -164,193 +157,98 @@ def site_from_content(
     header = content.header
     broken = dict(content.broken)
     findings: list[SiteProblem] = []
-    made: list[object] = []
+    made: list[records.PlanPart] = []
     for feature in content.features:
-        try:
-            made.append(_CONVERSIONS[type(feature)](feature))
-        except _ShapeError as error:
-            broken[feature.id] = _KINDS[type(feature)]
-            findings.append(SiteProblem(feature.id, error.rule, str(error)))
+        part = _part_or_problem(feature)
+        if isinstance(part, SiteProblem):
+            broken[feature.id] = _more(feature.properties)["kind"]
+            findings.append(part)
+        else:
+            made.append(part)
     if header is None:
         return None, broken, findings
-
-    def all_of(kind: type[_Record]) -> tuple[_Record, ...]:
-        return tuple(each for each in made if isinstance(each, kind))
-
-    anchor = header.anchor
-    site = records.Site(
-        name=header.name,
-        title=header.title,
-        floor=header.floor,
-        ceiling_height=header.ceiling_height_m,
-        description=header.description,
-        anchor=anchor
-        and records.Anchor(
-            anchor.latitude, anchor.longitude, _radians(anchor.bearing_deg)
-        ),
-        corridors=all_of(records.Corridor),
-        areas=all_of(records.Area),
-        turning_points=all_of(records.TurningPoint),
-        rooms=all_of(records.Room),
-        doors=all_of(records.Door),
-        landmarks=all_of(records.Landmark),
-        routes=all_of(records.Route),
-        source=source,
-        # Halves of characters in members that nothing reads stay what they are in JSON.
-        plan=json.dumps(content.document, ensure_ascii=False).encode(
-            "utf-8", "backslashreplace"
-        ),
-    )
+    told, more = _told_in(header), _more(header)
+    del told["type"]
+    more.pop("features", None)
+    site = records.Site(**told, **records.parts_by_kind(made), more=more, source=source)
     return site, broken, findings
 
 
-def _radians(degrees: float) -> float:
-    return wrap_angle(math.radians(degrees))
+def _told_in(said: BaseModel) -> dict[str, Any]:
+    """Return what members say, called and measured as records have it."""
+    told: dict[str, Any] = {}
+    for member in type(said).model_fields:
+        name, _, unit = member.rpartition("_")
+        value = getattr(said, member)
+        if unit == "deg":
+            told[name] = heading_of(value)
+        elif unit == "m":
+            told[name] = tuple(value) if isinstance(value, list) else value
+        elif member in _WITHIN and value is not None:
+            kind, many = _WITHIN[member], isinstance(value, list)
+            made = [kind(**_told_in(each)) for each in (value if many else [value])]
+            told[member] = tuple(made) if many else made[0]
+        else:
+            told[member] = value
+    return told
+
+
+def _part_or_problem(feature: models.AnyFeature) -> records.PlanPart | SiteProblem:
+    geometry = feature.geometry
+    if isinstance(geometry, models.PolygonGeometry):
+        for number, ring in enumerate(geometry.coordinates):
+            problem = _open_ring(feature.id, number, ring)
+            if problem is not None:
+                return problem
+        outline, *holes = map(_points, geometry.coordinates)
+        shape = Polygon(outline, holes)
+    elif isinstance(geometry, models.PointGeometry):
+        shape = Point(_points([geometry.coordinates]))
+    else:
+        shape = LineString(_points(geometry.coordinates))
+    told, more = _told_in(feature.properties), _more(feature.properties)
+    if told.get("length", shape) is None:
+        told["length"] = shape.length
+    part = _RECORDS[more.pop("kind")](feature.id, shape, **told, more=more)
+    return shape_problem(part) or part
+
+
+def _open_ring(
+    identity: str, number: int, ring: Sequence[Sequence[float]]
+) -> SiteProblem | None:
+    """Return what is wrong with a ring of a polygon as it is written."""
+    which = "outline" if number == 0 else f"hole {number}"
+    if len(ring) < 4:
+        return SiteProblem(
+            identity,
+            "ring-closed",
+            f"expected at least 3 corners and the first one again in the {which}, "
+            f"got {len(ring)} positions",
+        )
+    if ring[0][:2] != ring[-1][:2]:
+        return SiteProblem(
+            identity,
+            "ring-closed",
+            f"expected the {which} to end where it starts, at {ring[0][:2]}, got "
+            f"{ring[-1][:2]}; repeat the first position at the end",
+        )
+    return None
 
 
 def _points(positions: Sequence[Sequence[float]]) -> list[tuple[float, float]]:
     return [(position[0], position[1]) for position in positions]
 
 
-def _polygon(rings: Sequence[Sequence[Sequence[float]]]) -> Polygon:
-    for number, ring in enumerate(rings):
-        which = "outline" if number == 0 else f"hole {number}"
-        if len(ring) < 4:
-            raise _ShapeError(
-                "ring-closed",
-                f"expected at least 3 corners and the first one again in the {which}, "
-                f"got {len(ring)} positions",
-            )
-        if ring[0][:2] != ring[-1][:2]:
-            raise _ShapeError(
-                "ring-closed",
-                f"expected the {which} to end where it starts, at {ring[0][:2]}, got "
-                f"{ring[-1][:2]}; repeat the first position at the end",
-            )
-    polygon = Polygon(_points(rings[0]), [_points(ring) for ring in rings[1:]])
-    if not polygon.is_valid:
-        raise _ShapeError(
-            "polygon-valid",
-            "expected a simple polygon with its holes inside, got: "
-            f"{explain_validity(polygon)}",
-        )
-    if polygon.area < SMALLEST_AREA:
-        raise _ShapeError(
-            "polygon-valid",
-            f"expected an area of at least {SMALLEST_AREA} m², got {polygon.area:.2g} m²; "
-            "coordinates are metres, not degrees of longitude and latitude",
-        )
-    return polygon
+def _more(members: BaseModel) -> dict[str, Any]:
+    """Return the members that no model reads."""
+    return dict(members.model_extra or {})
 
 
-def _line(positions: Sequence[Sequence[float]]) -> LineString:
-    points = _points(positions)
-    for first, second in pairwise(points):
-        if math.dist(first, second) < SHORTEST_LINE:
-            raise _ShapeError(
-                "line-steps",
-                f"expected positions at least {SHORTEST_LINE} m apart, got {first} and "
-                f"{second}; remove one",
-            )
-    return LineString(points)
-
-
-# Where a record is shaped as a plan is, its fields are called as the plan's members.
-
-
-def _corridor(feature: models.CorridorFeature) -> records.Corridor:
-    rings = feature.geometry.coordinates
-    polygon = _polygon(rings)
-    corners = len(rings[0]) - 1
-    sides = [
-        math.dist(a[:2], b[:2]) for a, b in zip(rings[0], rings[0][1:], strict=False)
-    ]
-    hull = polygon.convex_hull.area
-    if len(rings) > 1 or corners != 4 or min(sides) < SHORTEST_LINE:
-        raise _ShapeError(
-            "corridor-four-corners",
-            f"expected exactly 4 corners and no holes, got {corners} corners and "
-            f"{len(rings) - 1} holes; split a bent corridor in two, or make it an area",
-        )
-    if hull - polygon.area > CONVEX_SLACK:
-        raise _ShapeError(
-            "corridor-convex",
-            f"expected a convex shape, got one that lacks {hull - polygon.area:.3f} m² "
-            "of its hull; move the corner that points inwards, or make it an area",
-        )
-    return records.Corridor(feature.id, polygon, **dict(feature.properties))
-
-
-def _area(feature: models.AreaFeature) -> records.Area:
-    polygon = _polygon(feature.geometry.coordinates)
-    return records.Area(feature.id, polygon, **dict(feature.properties))
-
-
-def _turning_point(feature: models.TurningPointFeature) -> records.TurningPoint:
-    properties = feature.properties
-    return records.TurningPoint(
-        feature.id,
-        _polygon(feature.geometry.coordinates),
-        properties.name,
-        properties.shape,
-        tuple(
-            records.Exit(way.to, _radians(way.heading_deg)) for way in properties.exits
-        ),
-    )
-
-
-def _room(feature: models.RoomFeature) -> records.Room:
-    polygon = _polygon(feature.geometry.coordinates)
-    return records.Room(feature.id, polygon, **dict(feature.properties))
-
-
-def _door(feature: models.DoorFeature) -> records.Door:
-    line = _line(feature.geometry.coordinates)
-    return records.Door(feature.id, line, **dict(feature.properties))
-
-
-def _landmark(feature: models.LandmarkFeature) -> records.Landmark:
-    properties = feature.properties
-    length, depth, height = properties.size_m
-    return records.Landmark(
-        feature.id,
-        Point(_points([feature.geometry.coordinates])[0]),
-        properties.category,
-        properties.color,
-        properties.name,
-        properties.text,
-        _radians(properties.heading_deg),
-        (length, depth, height),
-        properties.mount,
-        properties.obstacle,
-    )
-
-
-def _route(feature: models.RouteFeature) -> records.Route:
-    properties = feature.properties
-    line = _line(feature.geometry.coordinates)
-    return records.Route(
-        feature.id,
-        line,
-        properties.route,
-        properties.role,
-        _radians(properties.start_heading_deg),
-        properties.goal,
-        properties.goal_landmark,
-        line.length if properties.length_m is None else properties.length_m,
-        tuple(records.RouteTurn(turn.at, turn.direction) for turn in properties.turns),
-        properties.note,
-    )
-
-
-_CONVERSIONS: dict[type[models.FeatureModel], Callable[..., object]] = {
-    models.CorridorFeature: _corridor,
-    models.AreaFeature: _area,
-    models.TurningPointFeature: _turning_point,
-    models.RoomFeature: _room,
-    models.DoorFeature: _door,
-    models.LandmarkFeature: _landmark,
-    models.RouteFeature: _route,
+_WITHIN: dict[str, Callable[..., object]] = {
+    "anchor": records.Anchor,
+    "exits": records.Exit,
+    "turns": records.RouteTurn,
 }
-
-_KINDS = {model: kind for kind, model in models.FEATURE_MODELS.items()}
+_RECORDS: dict[str, Callable[..., records.PlanPart]] = {
+    record.kind: record for record in records.PART_KINDS
+}

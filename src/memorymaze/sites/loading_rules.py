@@ -38,7 +38,7 @@ def floor_is_complete(broken: Mapping[str, str]) -> bool:
 
 
 def _references(site: Site, broken: Mapping[str, str]) -> Iterator[SiteProblem]:
-    floor = {each.id for each in (*site.corridors, *site.areas, *site.turning_points)}
+    floor = {each.id for each in site.floor_parts}
     turning_points = {each.id for each in site.turning_points}
     rooms = {each.id for each in site.rooms}
     goals = rooms | {each.id for each in (*site.doors, *site.landmarks)}
@@ -103,7 +103,7 @@ def _routes(site: Site, broken: Mapping[str, str]) -> Iterator[SiteProblem]:
 
 
 def _floor(site: Site) -> Iterator[SiteProblem]:
-    named = (*site.corridors, *site.areas, *site.turning_points)
+    named = site.floor_parts
     if not named:
         yield SiteProblem(
             PLAN, "floor-connected", "expected corridors or areas, got none"

@@ -32,6 +32,8 @@ APART = 0.6
 """Metres: a viewpoint nearer than this to another one is not set."""
 ROBOT_RADIUS = 0.25
 """Metres kept from walls and obstacles."""
+LONGEST_EDGE = 5.0
+"""Metres that one may walk between two viewpoints."""
 SHIFT = 1.5
 """Metres a viewpoint is moved to get off an obstacle or a wall."""
 
@@ -70,24 +72,6 @@ class NavigationGraph:
         """Return the viewpoint nearest to a point, in a straight line; metres."""
         return min(self.viewpoints, key=lambda each: math.dist((x, y), each[1:]))
 
-    def navigable(self) -> dict[str, dict[str, dict[str, float]]]:
-        """Return what NavGPT reads from `navigable/{scan}_navigable.json`.
-
-        Viewpoint id to neighbour id to `heading` (radians clockwise from north, in
-        [0, 2 pi)), `elevation` (0) and `distance` (metres).
-        """
-        return {
-            here.id: {
-                there.id: {
-                    "heading": _clockwise_from_north(here, there),
-                    "elevation": 0.0,
-                    "distance": math.dist(here[1:], there[1:]),
-                }
-                for there in self.neighbours[here.id]
-            }
-            for here in self.viewpoints
-        }
-
     def connectivity(self) -> list[dict[str, object]]:
         """Return the graph in the shape of R2R's `{scan}_connectivity.json`.
 
@@ -120,7 +104,6 @@ def navigation_graph(
     site: Site,
     *,
     spacing: float = 2.25,
-    longest_edge: float = 5.0,
     robot_radius: float = ROBOT_RADIUS,
 ) -> NavigationGraph:
     """Make the navigation graph of a site.
@@ -134,7 +117,6 @@ def navigation_graph(
     Args:
         site: With a floor that hangs together.
         spacing: Metres between viewpoints along centre lines and across areas, at most.
-        longest_edge: Metres.
         robot_radius: Metres kept from walls and obstacles.
 
     Raises:
@@ -143,11 +125,11 @@ def navigation_graph(
     standing = standing_floor(site, robot_radius)
     floor = Floor(standing)
     places = _place_viewpoints(site, standing, spacing)
-    edges = _edges(places, floor, longest_edge)
+    edges = _edges(places, floor)
     while (parts := _parts(len(places), edges)).any():
-        bridge = _bridge(places, parts, floor, longest_edge)
+        bridge = _bridge(places, parts, floor)
         places = np.concatenate([places, bridge])
-        edges = _edges(places, floor, longest_edge)
+        edges = _edges(places, floor)
     return NavigationGraph(
         site.name,
         tuple(Viewpoint(_identity(site.name, x, y), x, y) for x, y in places.tolist()),
@@ -172,9 +154,9 @@ def _identity(site: str, x: float, y: float) -> str:
     return hashlib.md5(words, usedforsecurity=False).hexdigest()
 
 
-def _edges(places: FloatArray, floor: Floor, longest_edge: float) -> NDArray[np.intp]:
+def _edges(places: FloatArray, floor: Floor) -> NDArray[np.intp]:
     """Return the pairs of places that see each other closely enough, shape (E, 2)."""
-    pairs = KDTree(places).query_pairs(longest_edge, output_type="ndarray")
+    pairs = KDTree(places).query_pairs(LONGEST_EDGE, output_type="ndarray")
     free = floor.joins(places[pairs[:, 0]], places[pairs[:, 1]])
     return np.sort(pairs[free], axis=1)
 
@@ -187,9 +169,7 @@ def _parts(count: int, edges: NDArray[np.intp]) -> NDArray[np.intp]:
     return connected_components(joined, directed=False)[1]
 
 
-def _bridge(
-    places: FloatArray, parts: NDArray[np.intp], floor: Floor, longest_edge: float
-) -> FloatArray:
+def _bridge(places: FloatArray, parts: NDArray[np.intp], floor: Floor) -> FloatArray:
     """Return places along the shortest walk from part 0 to the part nearest to it.
 
     A shortest walk bends at corners of the floor. Far corners are only looked at where
@@ -197,7 +177,7 @@ def _bridge(
     """
     spots = np.concatenate([places, get_coordinates(floor.polygon)])
     others = np.flatnonzero(parts)
-    reach = longest_edge
+    reach = LONGEST_EDGE
     while True:
         pairs = KDTree(spots).query_pairs(reach, output_type="ndarray")
         pairs = pairs[floor.joins(spots[pairs[:, 0]], spots[pairs[:, 1]])]
@@ -225,14 +205,9 @@ def _bridge(
         walk.append(spots[here])
     stops: list[FloatArray] = []
     for start, end in pairwise(walk):
-        count = math.ceil(float(np.hypot(*(end - start))) / longest_edge)
+        count = math.ceil(float(np.hypot(*(end - start))) / LONGEST_EDGE)
         stops += [start + (end - start) * step / count for step in range(1, count + 1)]
     return np.array(stops[:-1])
-
-
-def _clockwise_from_north(start: Viewpoint, end: Viewpoint) -> float:
-    angle = math.atan2(end.x - start.x, end.y - start.y) % (2 * math.pi)
-    return 0.0 if 2 * math.pi - angle < 1e-6 else angle
 
 
 def _place_viewpoints(site: Site, standing: Polygon, spacing: float) -> FloatArray:

@@ -4,7 +4,7 @@ They hold for one feature at a time. What features mean to each other is checked
 records made from them.
 """
 
-from typing import Annotated, Literal
+from typing import Annotated, Any, Generic, Literal, TypeVar
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field
 
@@ -23,10 +23,20 @@ Degrees = Annotated[float, Field(ge=-360_000, le=360_000)]
 _Size = Annotated[float, Field(gt=0, le=1000)]
 
 
+_Geometry = TypeVar("_Geometry", bound=BaseModel)
+_Properties = TypeVar("_Properties", bound=BaseModel)
+
+
 class _Model(BaseModel):
     model_config = ConfigDict(
         strict=True, extra="ignore", allow_inf_nan=False, frozen=True
     )
+
+
+class _OpenModel(_Model):
+    """Keeps what else is said."""
+
+    model_config = ConfigDict(extra="allow")
 
 
 class AnchorModel(_Model):
@@ -37,7 +47,7 @@ class AnchorModel(_Model):
     bearing_deg: Degrees
 
 
-class PlanHeader(_Model):
+class PlanHeader(_OpenModel):
     """Members of the plan beside its features."""
 
     type: Literal["FeatureCollection"]
@@ -49,7 +59,9 @@ class PlanHeader(_Model):
     description: _AnyText
 
 
-class _PolygonGeometry(_Model):
+class PolygonGeometry(_Model):
+    """Rings, the outline first."""
+
     type: Literal["Polygon"]
     coordinates: Annotated[list[list[_Position]], Field(min_length=1)]
 
@@ -64,40 +76,33 @@ class _SegmentGeometry(_Model):
     coordinates: Annotated[list[_Position], Field(min_length=2, max_length=2)]
 
 
-class _PointGeometry(_Model):
+class PointGeometry(_Model):
+    """A place."""
+
     type: Literal["Point"]
     coordinates: _Position
 
 
-class FeatureModel(_Model):
-    """What every feature has."""
+class FeatureModel(_Model, Generic[_Geometry, _Properties]):
+    """A feature of a plan."""
 
     type: Literal["Feature"]
     id: Identity
+    geometry: _Geometry
+    properties: _Properties
 
 
-class _FloorProperties(_Model):
+AnyFeature = FeatureModel[Any, Any]
+
+
+class _FloorProperties(_OpenModel):
     name: _AnyText | None
     floor_material: _Text
     wall_material: _Text
 
 
-class CorridorFeature(FeatureModel):
-    """A corridor."""
-
-    geometry: _PolygonGeometry
-    properties: _FloorProperties
-
-
 class _AreaProperties(_FloorProperties):
     open_air: bool
-
-
-class AreaFeature(FeatureModel):
-    """An open area."""
-
-    geometry: _PolygonGeometry
-    properties: _AreaProperties
 
 
 class _ExitModel(_Model):
@@ -105,32 +110,18 @@ class _ExitModel(_Model):
     heading_deg: Degrees
 
 
-class _TurningPointProperties(_Model):
+class _TurningPointProperties(_OpenModel):
     name: _AnyText | None
     shape: Literal["corner", "t_junction", "crossing", "opening", "dead_end"]
     exits: Annotated[list[_ExitModel], Field(min_length=1)]
 
 
-class TurningPointFeature(FeatureModel):
-    """A turning point."""
-
-    geometry: _PolygonGeometry
-    properties: _TurningPointProperties
-
-
-class _RoomProperties(_Model):
+class _RoomProperties(_OpenModel):
     name: _AnyText
     use: _Text
 
 
-class RoomFeature(FeatureModel):
-    """A room beside the floor."""
-
-    geometry: _PolygonGeometry
-    properties: _RoomProperties
-
-
-class _DoorProperties(_Model):
+class _DoorProperties(_OpenModel):
     room: _AnyText | None
     style: _Text
     color: _Text
@@ -138,14 +129,7 @@ class _DoorProperties(_Model):
     state: Literal["closed", "open"]
 
 
-class DoorFeature(FeatureModel):
-    """A door."""
-
-    geometry: _SegmentGeometry
-    properties: _DoorProperties
-
-
-class _LandmarkProperties(_Model):
+class _LandmarkProperties(_OpenModel):
     category: _Text
     color: _AnyText | None
     name: _AnyText | None
@@ -156,19 +140,12 @@ class _LandmarkProperties(_Model):
     obstacle: bool
 
 
-class LandmarkFeature(FeatureModel):
-    """A thing on the floor, a wall or the ceiling."""
-
-    geometry: _PointGeometry
-    properties: _LandmarkProperties
-
-
 class _TurnModel(_Model):
     at: Identity
     direction: Literal["left", "right", "slight_left", "slight_right"]
 
 
-class _RouteProperties(_Model):
+class _RouteProperties(_OpenModel):
     route: Identity
     role: Literal["reference", "alternative"]
     start_heading_deg: Degrees
@@ -180,19 +157,12 @@ class _RouteProperties(_Model):
     note: _AnyText
 
 
-class RouteFeature(FeatureModel):
-    """A route."""
-
-    geometry: _LineGeometry
-    properties: _RouteProperties
-
-
-FEATURE_MODELS: dict[str, type[FeatureModel]] = {
-    "corridor": CorridorFeature,
-    "area": AreaFeature,
-    "turning_point": TurningPointFeature,
-    "room": RoomFeature,
-    "door": DoorFeature,
-    "landmark": LandmarkFeature,
-    "route": RouteFeature,
+FEATURE_MODELS: dict[str, type[AnyFeature]] = {
+    "corridor": FeatureModel[PolygonGeometry, _FloorProperties],
+    "area": FeatureModel[PolygonGeometry, _AreaProperties],
+    "turning_point": FeatureModel[PolygonGeometry, _TurningPointProperties],
+    "room": FeatureModel[PolygonGeometry, _RoomProperties],
+    "door": FeatureModel[_SegmentGeometry, _DoorProperties],
+    "landmark": FeatureModel[PointGeometry, _LandmarkProperties],
+    "route": FeatureModel[_LineGeometry, _RouteProperties],
 }

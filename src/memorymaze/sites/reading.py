@@ -9,7 +9,7 @@ from pydantic import BaseModel, ValidationError
 
 from memorymaze.errors import SitePlanError
 from memorymaze.input_files import mistakes, parse_json, read_text, shown
-from memorymaze.sites.plan_models import FEATURE_MODELS, FeatureModel, PlanHeader
+from memorymaze.sites.plan_models import FEATURE_MODELS, AnyFeature, PlanHeader
 from memorymaze.sites.problems import PLAN, Rule, SiteProblem
 
 Model = TypeVar("Model", bound=BaseModel)
@@ -21,7 +21,7 @@ class PlanContent:
 
     header: PlanHeader | None
     """None when it is unusable."""
-    features: tuple[FeatureModel, ...]
+    features: tuple[AnyFeature, ...]
     """Those whose members are all there and of the right types."""
     broken: Mapping[str, str]
     """Kinds of the features in the file that are not among `features`, by id.
@@ -29,8 +29,6 @@ class PlanContent:
     The kind is empty where it is not known.
     """
     findings: tuple[SiteProblem, ...]
-    document: Mapping[str, object]
-    """The whole plan as JSON; empty where there is none."""
 
 
 def read_plan(path: Path) -> PlanContent:
@@ -41,7 +39,7 @@ def read_plan(path: Path) -> PlanContent:
     """
     document = _read_document(path)
     if isinstance(document, SiteProblem):
-        return PlanContent(None, (), {}, (document,), {})
+        return PlanContent(None, (), {}, (document,))
     return understand_plan(document)
 
 
@@ -49,7 +47,7 @@ def understand_plan(document: Mapping[str, object]) -> PlanContent:
     """Return what can be understood of a plan that is already JSON."""
     findings: list[SiteProblem] = []
     header = _validated(PlanHeader, document, PLAN, findings)
-    features: list[FeatureModel] = []
+    features: list[AnyFeature] = []
     broken: dict[str, str] = {}
     seen: set[str] = set()
     for index, raw in enumerate(_raw_features(document, findings)):
@@ -70,7 +68,7 @@ def understand_plan(document: Mapping[str, object]) -> PlanContent:
         else:
             broken[label] = _kind(raw) or ""
         seen.add(label)
-    return PlanContent(header, tuple(features), broken, tuple(findings), document)
+    return PlanContent(header, tuple(features), broken, tuple(findings))
 
 
 def _read_document(path: Path) -> Mapping[str, object] | SiteProblem:
@@ -140,7 +138,7 @@ def _kind(raw: object) -> str | None:
 
 def _feature_model(
     raw: object, label: str, findings: list[SiteProblem]
-) -> type[FeatureModel] | None:
+) -> type[AnyFeature] | None:
     """Return the model of the feature's kind, or note why there is none."""
     kind = _kind(raw)
     if kind is not None:

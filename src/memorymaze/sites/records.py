@@ -5,16 +5,19 @@ live in the other files of this room.
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Literal, cast
+from pathlib import Path
+from typing import Any, ClassVar, Literal, cast
 
 from shapely import LineString, MultiPolygon, Point, Polygon, box, union_all
 from shapely.affinity import affine_transform
 
+from memorymaze.durable_files import write_whole
 from memorymaze.errors import SettingsError, SitePlanError, did_you_mean
 from memorymaze.geometry.pose import Pose
+from memorymaze.sites.plan import plan_bytes
 
 Mount = Literal["floor", "wall", "ceiling"]
 
@@ -37,10 +40,23 @@ class Anchor:
 
 
 @dataclass(frozen=True)
-class Corridor:
+class PlanPart:
+    """What every feature of a plan is."""
+
+    kind: ClassVar[str]
+    """As plans have it."""
+    id: str
+    more: Mapping[str, object] = field(
+        default_factory=dict[str, object], kw_only=True, compare=False, repr=False
+    )
+    """What else the plan says of it, that nobody reads."""
+
+
+@dataclass(frozen=True)
+class Corridor(PlanPart):
     """A straight, convex, four-cornered piece of floor; its long direction is its way."""
 
-    id: str
+    kind = "corridor"
     polygon: Polygon
     name: str | None
     """What people call it."""
@@ -64,10 +80,10 @@ class Corridor:
 
 
 @dataclass(frozen=True)
-class Area:
+class Area(PlanPart):
     """Open floor of any shape; holes are blocks one walks around."""
 
-    id: str
+    kind = "area"
     polygon: Polygon
     name: str | None
     floor_material: str
@@ -86,10 +102,10 @@ class Exit:
 
 
 @dataclass(frozen=True)
-class TurningPoint:
+class TurningPoint(PlanPart):
     """A convex part of the floor where a walker can change corridor."""
 
-    id: str
+    kind = "turning_point"
     polygon: Polygon
     name: str | None
     shape: str
@@ -99,20 +115,20 @@ class TurningPoint:
 
 
 @dataclass(frozen=True)
-class Room:
+class Room(PlanPart):
     """A space beside the walkable floor; not entered."""
 
-    id: str
+    kind = "room"
     polygon: Polygon
     name: str
     use: str
 
 
 @dataclass(frozen=True)
-class Door:
+class Door(PlanPart):
     """A door on the boundary of the walkable floor."""
 
-    id: str
+    kind = "door"
     line: LineString
     """Its two ends, (2, 2) metres."""
     room: str | None
@@ -125,10 +141,10 @@ class Door:
 
 
 @dataclass(frozen=True)
-class Landmark:
+class Landmark(PlanPart):
     """A thing that people mention or that stands in the way."""
 
-    id: str
+    kind = "landmark"
     position: Point
     """Centre of its footprint."""
     category: str
@@ -163,10 +179,10 @@ class RouteTurn:
 
 
 @dataclass(frozen=True)
-class Route:
+class Route(PlanPart):
     """A walk from a start to a destination along its middle line."""
 
-    id: str
+    kind = "route"
     line: LineString
     route: str
     """`R1`, `R2`, …"""
@@ -189,6 +205,18 @@ class Route:
         return Pose(x, y, self.start_heading)
 
 
+def parts_by_kind(parts: Iterable[PlanPart]) -> dict[str, Any]:
+    """Return the parts of a plan in their order, by the names that a site has for them."""
+    parts = tuple(parts)
+    return {
+        f"{kind.kind}s": tuple(part for part in parts if isinstance(part, kind))
+        for kind in PART_KINDS
+    }
+
+
+PART_KINDS = (Corridor, Area, TurningPoint, Room, Door, Landmark, Route)
+
+
 @dataclass(frozen=True)
 class Site:
     """One floor of a building: what the robot's world is made from."""
@@ -207,10 +235,12 @@ class Site:
     doors: tuple[Door, ...]
     landmarks: tuple[Landmark, ...]
     routes: tuple[Route, ...]
+    more: Mapping[str, object] = field(
+        default_factory=dict[str, object], compare=False, repr=False
+    )
+    """What else the plan says, that nobody reads."""
     source: str = field(default="", compare=False)
     """Path of the file it was read from."""
-    plan: bytes = field(default=b"", compare=False, repr=False)
-    """Its plan as JSON, in the format of `docs/site_plans.md`."""
 
     def __repr__(self) -> str:
         """Return name and size."""
@@ -220,6 +250,17 @@ class Site:
             f"{', '.join(route.id for route in self.routes) or 'none'})"
         )
 
+    @property
+    def floor_parts(self) -> tuple[Corridor | Area | TurningPoint, ...]:
+        """All that is walked on."""
+        return (*self.corridors, *self.areas, *self.turning_points)
+
+    @property
+    def parts(self) -> tuple[PlanPart, ...]:
+        """All features, in the order in which they are written."""
+        beside = (*self.rooms, *self.doors, *self.landmarks)
+        return (*self.floor_parts, *beside, *self.routes)
+
     @cached_property
     def walkable_floor(self) -> Polygon:
         """Union of all corridors, areas and turning points, with its holes.
@@ -227,10 +268,7 @@ class Site:
         Gaps and slivers up to 2 mm wide and kinks below 5 mm, which rounded coordinates
         leave at slanted seams, are smoothed away.
         """
-        return union_of_floor([
-            part.polygon
-            for part in (*self.corridors, *self.areas, *self.turning_points)
-        ])
+        return union_of_floor([part.polygon for part in self.floor_parts])
 
     @cached_property
     def free_floor(self) -> Polygon | MultiPolygon:
@@ -242,19 +280,18 @@ class Site:
         free = self.walkable_floor.difference(union_all(obstacles))
         return cast(Polygon | MultiPolygon, free)
 
-    def route(self, route_id: str) -> Route:
-        """Return the route feature with this id, such as `route_r1_reference`.
+    def save(self, path: str | Path) -> None:
+        """Write it as a plan, which is read as the same building; replace what is there.
 
         Raises:
-            KeyError: There is none; the message lists those there are.
+            SettingsError: The file cannot be written.
         """
-        for route in self.routes:
-            if route.id == route_id:
-                return route
-        known = ", ".join(route.id for route in self.routes) or "none at all"
-        raise KeyError(
-            f"site {self.name} has no route {route_id!r}; there are: {known}"
-        )
+        try:
+            write_whole(Path(path), plan_bytes(self))
+        except OSError as error:
+            raise SettingsError(
+                f"{path}: cannot be written ({error.strerror or error})"
+            ) from None
 
     def find_route(self, name: str) -> Route:
         """Return a route by its name (`R1`: the reference route) or its id.
@@ -283,21 +320,6 @@ class Site:
         """Return the ways of the route called `R1`, `R2`, …, the reference first."""
         ways = [each for each in self.routes if each.route == route]
         return sorted(ways, key=lambda each: each.role != "reference")
-
-    def reference_route(self, route: str) -> Route:
-        """Return the reference route called `R1`, `R2`, ….
-
-        Raises:
-            KeyError: There is none; the message lists those there are.
-        """
-        references = [each for each in self.routes if each.role == "reference"]
-        for reference in references:
-            if reference.route == route:
-                return reference
-        known = ", ".join(each.route for each in references) or "none at all"
-        raise KeyError(
-            f"site {self.name} has no reference route {route!r}; there are: {known}"
-        )
 
 
 def rectangle(

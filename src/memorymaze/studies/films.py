@@ -12,9 +12,11 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Literal
 
-from memorymaze.pictures.films import WalkthroughSettings, film_walkthrough
+from memorymaze.pictures.films import WalkthroughSettings
 from memorymaze.pictures.rendering.open_gl import choose_backend
 from memorymaze.simulation.scene import build_scene
+from memorymaze.simulation.walkthrough import film_walkthrough
+from memorymaze.sites.plan import plan_bytes
 from memorymaze.studies.study_file import RouteShown, Study
 from memorymaze.wording import counted
 
@@ -160,7 +162,7 @@ def _film(study: Study, shown: RouteShown) -> Path:
         return study.path.parent / shown.video
     # Another plan, route or setting is another film.
     made_from = json.dumps([
-        sha256(study.site.plan).hexdigest(),
+        sha256(plan_bytes(study.site)).hexdigest(),
         study.route(shown.route).id,
         study.design.walkthrough.model_dump(),
     ])

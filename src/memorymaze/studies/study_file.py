@@ -324,7 +324,7 @@ class Study:
 
     def route(self, name: str) -> Route:
         """Return the reference route of a name such as `R1`."""
-        return self.site.reference_route(name)
+        return self.site.find_route(name)
 
     def data_folder(self) -> Path:
         """Return where answers are kept: beside the file."""
@@ -384,7 +384,7 @@ def new_study(path: str | Path, site: Site, kind: StudyKind, plan: str) -> None:
         kind=kind,
         plan=plan,
         title=site.title,
-        routes={name: _place_near(site, site.reference_route(name)) for name in names},
+        routes={name: _place_near(site, site.find_route(name)) for name in names},
     )
     write_new(path, text.encode())
 

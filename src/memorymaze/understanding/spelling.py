@@ -23,8 +23,6 @@ from memorymaze.understanding.vocabulary import (
     TENS,
 )
 
-_SHORTEST = 4
-"""Letters from which on a word is corrected."""
 _LONG = 10
 """Letters from which on twice as many slips of the pen are forgiven."""
 _TOO_MANY = 1.5

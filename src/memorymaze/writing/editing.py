@@ -69,7 +69,7 @@ def with_errors(
     for one in right:
         key = (one.site, one.reference_route)
         if key not in all_facts:
-            route = sites[one.site].route(one.reference_route)
+            route = sites[one.site].find_route(one.reference_route)
             all_facts[key] = RouteFacts(floors[one.site], route)
         yield from _of_one(one, all_facts[key], rates, seed, paired=paired)
 

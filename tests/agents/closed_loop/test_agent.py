@@ -238,7 +238,7 @@ def test_a_text_that_says_left_for_right_is_noticed_and_repaired(
     model = AboutInstruction(ReplayingModel(REPLIES), name)
     site = builtin_sites[told.site]
     agent = ClosedLoopAgent(None, model)
-    run = navigate(site, site.route(told.reference_route), told.text, agent)
+    run = navigate(site, site.find_route(told.reference_route), told.text, agent)
     assert [failure.kind for failure in told.failures] == ["wrong_direction_at_turn"]
     assert run.result.success
     notes = [entry.note for entry in run.trace if isinstance(entry, NoteEntry)]
@@ -280,7 +280,7 @@ def test_the_log_tells_the_belief_most_of_what_the_map_does(believes: StandIn) -
     arrived = 0
     for told in (each.instruction for each in sample(right, 48)):
         site = corpus.sites[told.site]
-        route = site.route(told.reference_route)
+        route = site.find_route(told.reference_route)
         arrived += arrives(site, route, plans[told.id], believes)
     # 43 where it sees the map itself.
     assert arrived >= 36

@@ -66,7 +66,7 @@ def test_r2r_paths_run_along_the_routes_on_the_graph(
         for each in json.loads((tmp_path / "R2R_test.json").read_text())
         if each["scan"] == "loop"
     ]
-    route = tiny_sites["loop"].route("route_r1_reference")
+    route = tiny_sites["loop"].find_route("route_r1_reference")
     assert item["instructions"] == [told[0].text, told[1].text]
     assert item["distance"] == pytest.approx(route.length, rel=0.15)
     for here, there in zip(item["path"], item["path"][1:], strict=False):

@@ -1,4 +1,3 @@
-import json
 import math
 from pathlib import Path
 
@@ -8,7 +7,6 @@ from memorymaze.geometry.pose import Pose
 from memorymaze.instructions.sail import (
     EDGE,
     load_sail,
-    maze_plan,
     maze_site,
     paragraph_of,
     sail_episodes,
@@ -16,7 +14,7 @@ from memorymaze.instructions.sail import (
 from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.simulation.scene import build_scene
 from memorymaze.simulation.settings import SimulationSettings
-from memorymaze.sites import Site
+from memorymaze.sites import Site, load_site
 from memorymaze.testing import check_site
 
 
@@ -34,14 +32,15 @@ def _labels(site: Site, pose: Pose, query: str, *, sees: float = 40.0) -> list[s
 def test_the_plan_of_a_maze_keeps_the_format(
     small_folder: Path, tmp_path: Path
 ) -> None:
-    plan = maze_plan(load_sail(small_folder).mazes["Small"])
+    site = maze_site(load_sail(small_folder).mazes["Small"])
     path = tmp_path / "sail_small.geojson"
-    path.write_text(json.dumps(plan))
+    site.save(path)
+    assert load_site(path) == site
     check_site(path)
 
 
 def test_rows_that_grow_south_become_northing(site: Site) -> None:
-    route = site.reference_route("1-2")
+    route = site.find_route("1-2")
     corners = [tuple(point) for point in route.line.coords]
     assert corners == [(0, 2 * EDGE), (EDGE, 2 * EDGE), (EDGE, EDGE), (EDGE, 0)]
     assert [turn.direction for turn in route.turns] == ["right"]

@@ -9,11 +9,10 @@ import pytest
 from memorymaze.errors import SettingsError
 from memorymaze.pictures.films.video_file import (
     check_target,
-    mark_spherical,
     write_video,
 )
 
-Write = Callable[..., Path]
+Write = Callable[[], Path]
 RED, BLUE = (200, 40, 30), (20, 60, 210)
 
 
@@ -25,10 +24,10 @@ def plain(colour: tuple[int, int, int]) -> np.ndarray:
 def write(tmp_path: Path) -> Write:
     """Write three frames, red, red and blue, of a tenth of a second each."""
 
-    def written(name: str = "film.mp4", **settings: bool) -> Path:
-        path = tmp_path / name
+    def written() -> Path:
+        path = tmp_path / "film.mp4"
         pictures = map(plain, (RED, RED, BLUE))
-        write_video(path, pictures, (64, 48), 10, title="A film", total=3, **settings)
+        write_video(path, pictures, (64, 48), 10, title="A film", total=3)
         return path
 
     return written
@@ -44,23 +43,6 @@ def test_players_read_what_was_written(write: Write) -> None:
         assert film.metadata["title"] == "A film"
     colours = np.array([frame.mean(axis=(0, 1)) for frame in frames])
     assert colours == pytest.approx(np.array([RED, RED, BLUE]), abs=8)
-
-
-def test_a_spherical_video_says_so_and_still_plays(write: Write) -> None:
-    path = write(spherical=True)
-    content = path.read_bytes()
-    assert b"<GSpherical:ProjectionType>equirectangular<" in content
-    assert b"GSpherical" not in write("flat.mp4").read_bytes()
-    with av.open(str(path)) as film:
-        assert len(list(film.decode(video=0))) == 3
-
-
-def test_only_files_with_their_index_last_can_be_marked(tmp_path: Path) -> None:
-    odd = tmp_path / "odd.mp4"
-    odd.write_bytes(b"\0\0\0\x08free")
-    with pytest.raises(ValueError, match="moov last"):
-        mark_spherical(odd)
-    assert odd.read_bytes() == b"\0\0\0\x08free"
 
 
 def test_a_file_of_this_name_is_replaced_when_all_is_there(write: Write) -> None:

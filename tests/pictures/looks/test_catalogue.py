@@ -11,7 +11,6 @@ from shapely import Point
 
 from memorymaze.pictures.looks.assembly import MeshPart, ObjectModel
 from memorymaze.pictures.looks.catalogue import (
-    archetype_of,
     archetypes,
     model_for_landmark,
     model_of,
@@ -19,6 +18,7 @@ from memorymaze.pictures.looks.catalogue import (
 from memorymaze.pictures.looks.windows import is_window
 from memorymaze.sites import load_sites
 from memorymaze.sites.records import Landmark
+from memorymaze.sites.things import thing_kinds
 
 MOST_TRIANGLES = 1700
 """Of one thing; most have a few hundred."""
@@ -61,14 +61,8 @@ def corners_of(part: MeshPart) -> np.ndarray:
     return part.vertices[part.faces].astype(float)
 
 
-def test_every_category_of_the_shipped_plans_has_an_archetype():
-    unknown = {
-        each.category
-        for site in load_sites(None).values()
-        for each in site.landmarks
-        if archetype_of(each.category) is None
-    }
-    assert not unknown
+def test_every_kind_of_thing_that_is_like_no_other_has_a_builder():
+    assert set(archetypes()) == {each.look for each in thing_kinds().values()}
 
 
 def test_models_fill_the_boxes_of_their_landmarks(landmarks: list[Landmark]):
@@ -166,28 +160,6 @@ def test_plants_differ_from_one_another():
         for number in range(12)
     }
     assert len(shapes) > 1
-
-
-@pytest.mark.parametrize(
-    ("category", "archetype"),
-    [
-        ("old wooden bench", "bench"),
-        ("Bench", "bench"),
-        ("snack vending machine", "vending machine"),
-        ("laundry machine", "ticket machine"),
-        ("gift shop sign", "sign"),
-        ("laboratory table", "table"),
-        ("statue of a bear", "statue"),
-        ("benches", "bench"),
-        ("bookshelves", "bookshelf"),
-        ("coin_lockers", "coin lockers"),
-        ("bay window", "window"),
-        ("flux capacitor", None),
-        ("", None),
-    ],
-)
-def test_categories_are_known_by_their_head_noun(category: str, archetype: str | None):
-    assert archetype_of(category) == archetype
 
 
 def test_an_unknown_category_gets_a_box_with_its_name_readable():

@@ -18,11 +18,10 @@ Told = Callable[..., Instruction]
 def test_the_legs_of_a_route_are_those_between_its_turns(
     loop_site: Site, slanted_crossing_site: Site
 ) -> None:
-    legs = route_legs(loop_site, loop_site.route("route_r1_alternative"))
+    legs = route_legs(loop_site, loop_site.find_route("route_r1_alternative"))
     assert legs == [(3.0, "left"), (12.0, "left"), (12.0, "left"), (6.0, "")]
     [first, last] = (
-        route_legs(slanted_crossing_site, slanted_crossing_site.reference_route("R1"))
-        or []
+        route_legs(slanted_crossing_site, slanted_crossing_site.find_route("R1")) or []
     )
     assert first == (10.0, "left")
     assert last[0] == pytest.approx(11.0, abs=1e-3)

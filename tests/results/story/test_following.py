@@ -81,7 +81,7 @@ def followed(route: Route, *corners: tuple[float, float]) -> Following:
 def test_a_crossing_is_a_decision_with_the_turn_of_the_route(
     crossing_site: Site,
 ) -> None:
-    route = crossing_site.reference_route("R1")
+    route = crossing_site.find_route("R1")
     decisions = decisions_of(crossing_site, route)
     assert [each.number for each in decisions] == list(range(1, len(decisions) + 1))
     [decision] = [each for each in decisions if each.id == "tp_crossing"]
@@ -93,7 +93,7 @@ def test_a_crossing_is_a_decision_with_the_turn_of_the_route(
 def test_a_corridor_without_turning_points_asks_for_no_decision(
     corridor_site: Site,
 ) -> None:
-    route = corridor_site.reference_route("R1")
+    route = corridor_site.find_route("R1")
     assert decisions_of(corridor_site, route) == []
     assert first_wrong([], followed(route, (2, 0), (3, 0), (2, 9))) is None
 
@@ -101,7 +101,7 @@ def test_a_corridor_without_turning_points_asks_for_no_decision(
 def test_walks_are_counted_up_to_their_first_wrong_decision(
     crossing_site: Site,
 ) -> None:
-    route = crossing_site.reference_route("R1")
+    route = crossing_site.find_route("R1")
     (x, y), (goal_x, goal_y) = route.line.coords[0][:2], route.line.coords[-1][:2]
     decisions = decisions_of(crossing_site, route)
     walks = [

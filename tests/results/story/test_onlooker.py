@@ -22,7 +22,7 @@ def walk(t_site: Site) -> Callable[..., EpisodeRun]:
     """Let `guide` follow a text on the T, with someone watching or not."""
 
     def run(watcher: Watcher | None = None) -> EpisodeRun:
-        route = t_site.reference_route("R1")
+        route = t_site.find_route("R1")
         return navigate(t_site, route, TEXT, AgentSettings("guide"), watcher=watcher)
 
     return run

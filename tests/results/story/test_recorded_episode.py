@@ -27,7 +27,7 @@ def test_a_run_needs_nothing_but_its_folder(
     episode: RecordedEpisode, copied: Path
 ) -> None:
     again = load_episode(copied, episode.result.episode_id)
-    assert again.site.plan == episode.site.plan
+    assert again.site == episode.site
     assert again.route.goal == episode.route.goal
     assert again.instruction == episode.instruction
 

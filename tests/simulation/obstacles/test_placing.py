@@ -9,10 +9,10 @@ from memorymaze.simulation.obstacles.placing import (
     place_things,
     stretches,
 )
-from memorymaze.simulation.obstacles.settings import THING_KINDS, things
+from memorymaze.simulation.obstacles.settings import LEFT_STANDING, things
 from memorymaze.sites.records import Site
 
-ALL_KINDS = tuple(THING_KINDS)
+ALL_KINDS = tuple(LEFT_STANDING)
 
 
 def _placed(site: Site, count: int, seed: int, keep_free: list[tuple[float, float]]):

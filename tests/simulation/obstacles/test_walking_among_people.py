@@ -167,7 +167,7 @@ def test_a_turn_ends_although_somebody_stands_where_it_would_be_made(
     crossing_site, crowded, person_of
 ):
     robot = crowded(crossing_site, patience=2.0)
-    start = crossing_site.reference_route("R1").start
+    start = crossing_site.find_route("R1").start
     robot = SimulatedRobot(robot.scene, start, obstacles_rng=np.random.default_rng(0))
     person_of(robot, 0, 0, stands_until=math.inf)
     while not robot.detect_turning_point():

@@ -188,7 +188,7 @@ def test_whose_recordings_are_not_written_down_is_left_out_and_counted(
 
 
 def test_places_of_a_way_of_the_plan_mean_that_way(t_site: Site) -> None:
-    assert points_crossed(t_site, t_site.reference_route("R1")) == (
+    assert points_crossed(t_site, t_site.find_route("R1")) == (
         "tp_south_end",
         "tp_junction",
         "tp_west_end",

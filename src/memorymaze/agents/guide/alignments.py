@@ -31,8 +31,7 @@ class Slip:
     """Crossing."""
 
 
-@dataclass(frozen=True, slots=True)
-class Segment:
+class Segment(NamedTuple):
     """An alignment that has walked some way since the last turn of the plan."""
 
     at: int

@@ -290,7 +290,7 @@ class Arrivals:
         if segment.leg == self._legs and length is not None and not segment.lost:
             there = walked + sighting.distance
             line = (*segment.line, sighting.place)
-            further = replace(segment, walked=segment.walked + there, line=line)
+            further = segment._replace(walked=segment.walked + there, line=line)
             weights = weights * rest_to_come(self._model, self._things, further, length)
         return weights * later
 
@@ -442,7 +442,7 @@ class Arrivals:
         """Weigh the length of the last stretch; neutral where counting has not begun."""
         beyond = bool(further)
         line = (*segment.line, place) if place and beyond else segment.line
-        since = counted_since(self._things, replace(segment, line=line), length.after)
+        since = counted_since(self._things, segment._replace(line=line), length.after)
         if since is None:
             return np.ones(segment.weights.shape[1])
         metres, places = since.metres, since.places

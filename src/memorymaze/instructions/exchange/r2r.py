@@ -93,7 +93,9 @@ def write_r2r(
         items: list[dict[str, Any]] = []
         for (site, route), group in groups.items():
             number += 1
-            items.append(_item(number, graphs[site], sites[site].route(route), group))
+            items.append(
+                _item(number, graphs[site], sites[site].find_route(route), group)
+            )
         files.append(folder / f"R2R_{split}.json")
         write_json(files[-1], items)
     for name, graph in graphs.items():

@@ -146,7 +146,7 @@ def write_vln_ce(
         for each in members:
             number += 1
             way = (each.site, each.reference_route)
-            route = sites[each.site].route(each.reference_route)
+            route = sites[each.site].find_route(each.reference_route)
             trajectory = trajectories.setdefault(way, len(trajectories) + 1)
             if way not in walks:
                 walks[way] = _ground_truth(route, step, turn)

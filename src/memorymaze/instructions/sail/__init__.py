@@ -8,7 +8,7 @@ from memorymaze.instructions.sail.episodes import (
 )
 from memorymaze.instructions.sail.folder import is_sail_folder, load_sail
 from memorymaze.instructions.sail.records import Paragraph
-from memorymaze.instructions.sail.sites import EDGE, maze_plan, maze_site
+from memorymaze.instructions.sail.sites import EDGE, maze_site
 
 __all__ = [
     "DEVELOPMENT",
@@ -16,7 +16,6 @@ __all__ = [
     "Paragraph",
     "is_sail_folder",
     "load_sail",
-    "maze_plan",
     "maze_site",
     "paragraph_of",
     "sail_corpus",

@@ -80,7 +80,7 @@ def paragraph_of(episode_id: str) -> str:
 
 def _episode(paragraph: Paragraph, site: Site, heading: str) -> Episode:
     name = route_name(paragraph.start_position, paragraph.goal_position)
-    route = site.reference_route(name)
+    route = site.find_route(name)
     told = Instruction(
         id=paragraph.id,
         site=site.name,

@@ -4,17 +4,28 @@ What a maze shows becomes landmarks, which cameras see: a covering on the floor 
 hall, a picture on both of its walls, and the piece of furniture in a corner of its node.
 """
 
-import json
 import math
 from collections.abc import Iterator
 from itertools import pairwise
-from typing import Any
 
+from shapely import LineString, Point, Polygon
+
+from memorymaze.geometry.pose import heading_to, turn_between, wrap_angle
 from memorymaze.instructions.sail.records import Maze, MazeCell, MazeHall
-from memorymaze.sites import Site
-from memorymaze.sites.loading import sound_site
-from memorymaze.sites.plan_writing import Feature, feature
-from memorymaze.sites.reading import understand_plan
+from memorymaze.sites.exits import shape_of
+from memorymaze.sites.loading import check_sound
+from memorymaze.sites.records import (
+    Corridor,
+    Exit,
+    Landmark,
+    Mount,
+    PlanPart,
+    Route,
+    RouteTurn,
+    Site,
+    TurningPoint,
+    parts_by_kind,
+)
 
 EDGE = 4.0
 """Metres from node to node."""
@@ -49,7 +60,6 @@ THINGS: dict[str, tuple[str, str | None, tuple[float, float, float]]] = {
 
 _CORNER = 0.72
 """Metres from the middle of a node to its furniture, east and north."""
-_SHAPES = {1: "dead_end", 3: "t_junction", 4: "crossing"}
 
 
 def site_name(maze: str) -> str:
@@ -72,25 +82,20 @@ def maze_site(maze: Maze, source: str = "") -> Site:
     Raises:
         SitePlanError: It does not make a sound plan, as one with too many nodes.
     """
-    # JSON has lists where the plan has tuples.
-    plan = json.loads(json.dumps(maze_plan(maze)))
-    return sound_site(understand_plan(plan), source)
-
-
-def maze_plan(maze: Maze) -> dict[str, Any]:
-    """Return the plan of a maze, in the format of `docs/site_plans.md`."""
-    return {
-        "type": "FeatureCollection",
-        "name": site_name(maze.name),
-        "title": f"SAIL {maze.name}",
-        "floor": "0",
-        "ceiling_height_m": 3.0,
-        "anchor": None,
-        "description": f"The maze {maze.name} of the SAIL corpus (MacMahon, Stankiewicz "
+    site = Site(
+        name=site_name(maze.name),
+        title=f"SAIL {maze.name}",
+        floor="0",
+        ceiling_height=3.0,
+        description=f"The maze {maze.name} of the SAIL corpus (MacMahon, Stankiewicz "
         f"and Kuipers 2006), with {EDGE:g} m from node to node and halls {HALL_WIDTH:g} m "
         "wide. Furniture stands in the north-east corner of its node.",
-        "features": list(_Builder(maze).features()),
-    }
+        anchor=None,
+        **parts_by_kind(_Builder(maze).parts()),
+        source=source,
+    )
+    check_sound(site)
+    return site
 
 
 class _Builder:
@@ -103,7 +108,7 @@ class _Builder:
         """Return the middle of a node, metres; rows grow south, y grows north."""
         return (cell[0] - self._west) * EDGE, (self._south - cell[1]) * EDGE
 
-    def features(self) -> Iterator[Feature]:
+    def parts(self) -> Iterator[PlanPart]:
         for hall in self._maze.halls:
             yield self._corridor(hall)
             yield from self._looks(hall)
@@ -118,7 +123,7 @@ class _Builder:
                 if way is not None and len(way) > 1:
                     yield self._route(start, goal, way)
 
-    def _corridor(self, hall: MazeHall) -> Feature:
+    def _corridor(self, hall: MazeHall) -> Corridor:
         (ax, ay), (bx, by) = map(self.place, hall.ends)
         half = HALL_WIDTH / 2
         dx, dy = (bx - ax) / EDGE * half, (by - ay) / EDGE * half
@@ -129,19 +134,18 @@ class _Builder:
             (bx - dy, by + dx),
         ]
         floor = FLOORS.get(hall.floor)
-        return _polygon(
+        return Corridor(
             f"hall_{_between(hall)}",
-            "corridor",
-            corners,
+            Polygon(corners),
             name=None,
             floor_material=hall.floor if floor is None else floor[2],
             wall_material="plaster",
         )
 
-    def _looks(self, hall: MazeHall) -> Iterator[Feature]:
+    def _looks(self, hall: MazeHall) -> Iterator[Landmark]:
         (ax, ay), (bx, by) = map(self.place, hall.ends)
         x, y = (ax + bx) / 2, (ay + by) / 2
-        along = math.degrees(math.atan2(by - ay, bx - ax)) % 360
+        along = heading_to((ax, ay), (bx, by))
         category, color, _ = FLOORS.get(hall.floor, (f"{hall.floor} floor", None, ""))
         length = EDGE - HALL_WIDTH
         yield _landmark(
@@ -153,49 +157,43 @@ class _Builder:
         )
         picture = PICTURES.get(hall.wall, f"picture of a {hall.wall}")
         for side in (-1, 1):
-            across = math.radians(along + 90 * side)
+            across = along + side * math.pi / 2
             reach = HALL_WIDTH / 2 - 0.02
             yield _landmark(
                 f"picture_{_between(hall)}_{'a' if side < 0 else 'b'}",
                 (x + reach * math.cos(across), y + reach * math.sin(across)),
                 (picture, None, None),
                 (1.0, 0.04, 1.0),
-                (along - 90 * side) % 360,
+                wrap_angle(along - side * math.pi / 2),
                 mount="wall",
             )
 
-    def _turning_point(self, cell: MazeCell) -> Feature:
+    def _turning_point(self, cell: MazeCell) -> TurningPoint:
         x, y = self.place(cell)
         half = HALL_WIDTH / 2
-        ways = self._maze.neighbours[cell]
-        ends = [self.place(each) for each in ways]
-        straight = len(ways) == 2 and ends[0][0] + ends[1][0] == 2 * x
-        straight = straight and ends[0][1] + ends[1][1] == 2 * y
-        shape = "opening" if straight else _SHAPES.get(len(ways), "corner")
         halls = {frozenset(hall.ends): hall for hall in self._maze.halls}
-        exits = [
-            {
-                "to": f"hall_{_between(halls[frozenset((cell, way))])}",
-                "heading_deg": math.degrees(math.atan2(end[1] - y, end[0] - x)) % 360,
-            }
-            for way, end in zip(ways, ends, strict=True)
-        ]
+        exits = tuple(
+            Exit(
+                f"hall_{_between(halls[frozenset((cell, way))])}",
+                heading_to((x, y), self.place(way)),
+            )
+            for way in self._maze.neighbours[cell]
+        )
         corners = [
             (x - half, y - half),
             (x + half, y - half),
             (x + half, y + half),
             (x - half, y + half),
         ]
-        return _polygon(
+        return TurningPoint(
             f"node_{_word(cell)}",
-            "turning_point",
-            corners,
+            Polygon(corners),
             name=None,
-            shape=shape,
+            shape=shape_of(exits, areas=()),
             exits=exits,
         )
 
-    def _furniture(self, cell: MazeCell, thing: str) -> Feature:
+    def _furniture(self, cell: MazeCell, thing: str) -> Landmark:
         x, y = self.place(cell)
         category, name, size = THINGS.get(thing, (thing, None, (0.45, 0.45, 1.0)))
         return _landmark(
@@ -203,33 +201,30 @@ class _Builder:
             (x + _CORNER, y + _CORNER),
             (category, None, name),
             size,
-            225.0,
+            math.radians(-135),
         )
 
-    def _route(self, start: int, goal: int, way: list[MazeCell]) -> Feature:
+    def _route(self, start: int, goal: int, way: list[MazeCell]) -> Route:
         line = [self.place(cell) for cell in way]
-        headings = [
-            math.degrees(math.atan2(b[1] - a[1], b[0] - a[0]))
-            for a, b in pairwise(line)
-        ]
-        turns: list[dict[str, str]] = []
-        for at in range(1, len(headings)):
-            change = (headings[at] - headings[at - 1]) % 360
-            if change:
-                side = "left" if change < 180 else "right"
-                turns.append({"at": f"node_{_word(way[at])}", "direction": side})
+        headings = [heading_to(a, b) for a, b in pairwise(line)]
+        turns = tuple(
+            RouteTurn(f"node_{_word(cell)}", "left" if turn > 0 else "right")
+            for cell, before, after in zip(
+                way[1:], headings, headings[1:], strict=False
+            )
+            if (turn := turn_between(before, after))
+        )
         last = frozenset(way[-2:])
         hall = next(h for h in self._maze.halls if frozenset(h.ends) == last)
-        return feature(
+        return Route(
             f"route_{start}_{goal}",
-            "route",
-            {"type": "LineString", "coordinates": line},
+            LineString(line),
             route=route_name(start, goal),
             role="reference",
-            start_heading_deg=headings[0] % 360,
+            start_heading=headings[0],
             goal=f"position {goal}",
             goal_landmark=f"floor_{_between(hall)}",
-            length_m=EDGE * (len(way) - 1),
+            length=EDGE * (len(way) - 1),
             turns=turns,
             note="A shortest way; instructions may tell another.",
         )
@@ -243,33 +238,24 @@ def _between(hall: MazeHall) -> str:
     return "_".join(_word(cell) for cell in hall.ends)
 
 
-def _polygon(
-    identity: str, kind: str, corners: list[tuple[float, float]], **properties: object
-) -> Feature:
-    ring = [*corners, corners[0]]
-    geometry: dict[str, object] = {"type": "Polygon", "coordinates": [ring]}
-    return feature(identity, kind, geometry, **properties)
-
-
 def _landmark(
     identity: str,
     place: tuple[float, float],
     words: tuple[str, str | None, str | None],
     size: tuple[float, float, float],
-    heading_deg: float,
-    mount: str = "floor",
-) -> Feature:
+    heading: float,
+    mount: Mount = "floor",
+) -> Landmark:
     category, color, name = words
-    return feature(
+    return Landmark(
         identity,
-        "landmark",
-        {"type": "Point", "coordinates": place},
-        category=category,
-        color=color,
-        name=name,
-        text=None,
-        heading_deg=heading_deg,
-        size_m=size,
-        mount=mount,
+        Point(place),
+        category,
+        color,
+        name,
+        None,
+        heading,
+        size,
+        mount,
         obstacle=False,
     )

@@ -1,10 +1,9 @@
-"""Writing H.264 video into an mp4 file, frame by frame, by the library PyAV."""
+"""Writing video into an mp4 file, frame by frame, by the library PyAV."""
 
 import os
-import struct
 import sys
-import uuid
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
 from typing import Any, NoReturn
@@ -19,18 +18,75 @@ from memorymaze.errors import SettingsError
 
 SECONDS_BETWEEN_LINES = 15.0
 
-QUALITY = {"crf": "20", "preset": "veryfast", "threads": "1"}
-"""Of x264; a single thread, because threads have a part in what comes out."""
 BT709, LIMITED_RANGE = 1, 1
 """Numbers of colour space, primaries, transfer and range in H.264."""
-SPHERICAL_ID = uuid.UUID("ffcc8263-f855-4a93-8814-587a02521fdd")
-PROPERTIES = {
-    "Spherical": "true",
-    "Stitched": "true",
-    "StitchingSoftware": "memorymaze",
-    "ProjectionType": "equirectangular",
-}
-HEADER = struct.Struct(">I4s")
+
+
+@dataclass(frozen=True, slots=True)
+class Coding:
+    """How an encoder keeps frames."""
+
+    codec: str
+    pixels: str
+    options: Mapping[str, str]
+    bt709: bool = False
+    """Whether the colours are said to be those of BT.709; else players guess by the size."""
+
+
+# A single thread, because threads have a part in what comes out.
+FILM = Coding(
+    "libx264",
+    "yuv420p",
+    {"crf": "20", "preset": "veryfast", "threads": "1"},
+    bt709=True,
+)
+
+
+class VideoFile:
+    """An mp4 file that frames are added to; a `with` statement closes it."""
+
+    def __init__(
+        self,
+        path: Path,
+        size: tuple[int, int],
+        fps: float,
+        coding: Coding,
+        title: str | None = None,
+    ) -> None:
+        """Begin a file of frames with a width and a height, pixels."""
+        # Else the library's version stands in the file.
+        self._container = av.open(
+            str(path), "w", format="mp4", container_options={"fflags": "+bitexact"}
+        )
+        if title is not None:
+            self._container.metadata["title"] = title
+        self._stream: Any = self._container.add_stream(
+            coding.codec,
+            rate=Fraction(fps).limit_denominator(1001),
+            options=dict(coding.options),
+        )
+        self._stream.width, self._stream.height = size
+        self._stream.pix_fmt = coding.pixels
+        if coding.bt709:
+            context = self._stream.codec_context
+            context.colorspace = context.color_primaries = context.color_trc = BT709
+            context.color_range = LIMITED_RANGE
+
+    def add(self, frame: av.VideoFrame) -> None:
+        """Add a frame."""
+        self._container.mux(self._stream.encode(frame))
+
+    def __enter__(self) -> "VideoFile":
+        """Return itself."""
+        return self
+
+    def __exit__(self, kind: object, *_: object) -> None:
+        """Write what is left, unless something went wrong."""
+        try:
+            if kind is None:
+                self._container.mux(self._stream.encode(None))
+        finally:
+            self._container.close()
 
 
 def check_picture(about: str, size: tuple[int, int], smallest: int) -> None:
@@ -92,7 +148,6 @@ def write_video(
     *,
     title: str,
     total: int,
-    spherical: bool = False,
     progress: bool = False,
     told: Callable[[int, int], object] | None = None,
 ) -> None:
@@ -105,7 +160,6 @@ def write_video(
         fps: Frames per second.
         title: Kept in the file.
         total: How many pictures there are.
-        spherical: Whether they are equirectangular.
         progress: Whether to show a bar with the time left on stderr.
         told: Is told after each picture how many of how many are written.
 
@@ -118,25 +172,14 @@ def write_video(
         # The encoder would say after minutes, and without a name, that it cannot write.
         unfinished.touch()
         with (
-            av.open(
-                str(unfinished),
-                "w",
-                format="mp4",
-                # Else the library's version stands in the file.
-                container_options={"fflags": "+bitexact"},
-            ) as container,
+            VideoFile(unfinished, size, fps, FILM, title) as video,
             progress_bar(total, "frame", shown=progress) as bar,
         ):
-            container.metadata["title"] = title
-            stream = _stream(container, size, fps)
             for number, picture in enumerate(pictures, start=1):
-                container.mux(stream.encode(video_frame(picture)))
+                video.add(video_frame(picture))
                 bar.update()
                 if told is not None:
                     told(number, total)
-            container.mux(stream.encode(None))
-        if spherical:
-            mark_spherical(unfinished)
 
 
 def video_frame(picture: NDArray[np.uint8]) -> av.VideoFrame:
@@ -156,74 +199,3 @@ def planes_of(picture: NDArray[np.uint8]) -> NDArray[np.uint8]:
     of its pixels each.
     """
     return np.asarray(video_frame(picture).to_ndarray(), dtype=np.uint8)
-
-
-def _stream(container: Any, size: tuple[int, int], fps: float) -> Any:
-    rate = Fraction(fps).limit_denominator(1001)
-    stream = container.add_stream("libx264", rate=rate, options=dict(QUALITY))
-    stream.width, stream.height = size
-    stream.pix_fmt = "yuv420p"
-    # Said in the file, because players guess the colours by the size otherwise.
-    context = stream.codec_context
-    context.colorspace = context.color_primaries = context.color_trc = BT709
-    context.color_range = LIMITED_RANGE
-    return stream
-
-
-def mark_spherical(path: Path) -> None:
-    """Say in an mp4 file with one track, its `moov` box last, that it is spherical."""
-    with path.open("r+b") as file:
-        place = _last_box(path)
-        file.seek(place)
-        moov = file.read()
-        if moov[4:8] != b"moov":
-            raise ValueError(f"{path}: expected the box moov last, got {moov[4:8]!r}")
-        file.seek(place)
-        file.write(_with_metadata(moov))
-
-
-def _last_box(path: Path) -> int:
-    """Return where the last box of a file begins, bytes."""
-    with path.open("rb") as file:
-        end, place, last = path.stat().st_size, 0, 0
-        while place < end:
-            last = place
-            file.seek(place)
-            size, _ = HEADER.unpack(file.read(HEADER.size))
-            if size == 1:  # a box of more than 4 GB
-                (size,) = struct.unpack(">Q", file.read(8))
-            if size < HEADER.size:
-                raise ValueError(f"{path}: expected a box at {place}, got size {size}")
-            place += size
-    return last
-
-
-def _with_metadata(moov: bytes) -> bytes:
-    names = "".join(
-        f"<GSpherical:{name}>{value}</GSpherical:{name}>"
-        for name, value in PROPERTIES.items()
-    )
-    text = (
-        '<?xml version="1.0"?><rdf:SphericalVideo '
-        'xmlns:rdf="http://www.w3.org/1999/02/22-rdf-syntax-ns#" '
-        'xmlns:GSpherical="http://ns.google.com/videos/1.0/spherical/">'
-        f"{names}</rdf:SphericalVideo>"
-    )
-    said = _box(b"uuid", SPHERICAL_ID.bytes + text.encode())
-    parts = [
-        _box(kind, content + said) if kind == b"trak" else _box(kind, content)
-        for kind, content in _boxes(moov[HEADER.size :])
-    ]
-    return _box(b"moov", b"".join(parts))
-
-
-def _boxes(content: bytes) -> Iterator[tuple[bytes, bytes]]:
-    place = 0
-    while place < len(content):
-        size, kind = HEADER.unpack_from(content, place)
-        yield kind, content[place + HEADER.size : place + size]
-        place += size
-
-
-def _box(kind: bytes, content: bytes) -> bytes:
-    return HEADER.pack(HEADER.size + len(content), kind) + content

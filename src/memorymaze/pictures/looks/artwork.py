@@ -6,6 +6,7 @@ import numpy as np
 from PIL import Image, ImageDraw
 
 from memorymaze.pictures.looks.boards import blank, graded, pixels_of, whole
+from memorymaze.pictures.looks.lettering import Field, write
 from memorymaze.pictures.looks.materials import (
     OCEAN,
     PURE_WHITE,
@@ -17,7 +18,6 @@ from memorymaze.pictures.looks.materials import (
     shade,
 )
 from memorymaze.pictures.tables import read_table
-from memorymaze.simulation.senses.lettering import Field, write
 
 NIGHT: Rgb = (0.04, 0.05, 0.14)
 LAND: Rgb = (0.28, 0.52, 0.24)

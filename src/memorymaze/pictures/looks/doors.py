@@ -35,8 +35,8 @@ from memorymaze.pictures.looks.shapes import (
     pane,
     span_between,
 )
-from memorymaze.simulation.solids import DOOR_HEIGHT, DOOR_PROUD
 from memorymaze.sites.records import Door
+from memorymaze.sites.solids import DOOR_HEIGHT, DOOR_PROUD
 
 DOUBLE_FROM = 1.35
 """Doorways this wide, metres, have two leaves."""

@@ -8,6 +8,7 @@ from PIL import ImageDraw
 from memorymaze.pictures.looks.appliances import ink_ground
 from memorymaze.pictures.looks.assembly import Assembly, Order
 from memorymaze.pictures.looks.boards import blank, pixels_of
+from memorymaze.pictures.looks.lettering import Field, write
 from memorymaze.pictures.looks.materials import (
     ALUMINIUM,
     BLACK,
@@ -24,7 +25,6 @@ from memorymaze.pictures.looks.materials import (
     shade,
 )
 from memorymaze.pictures.looks.shapes import around, cylinder, tapered
-from memorymaze.simulation.senses.lettering import Field, write
 
 GOODS: tuple[Rgb, ...] = (
     (0.85, 0.15, 0.15), (0.95, 0.75, 0.15), (0.15, 0.45, 0.8), (0.2, 0.6, 0.3),

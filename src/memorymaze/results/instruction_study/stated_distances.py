@@ -92,7 +92,7 @@ def stated_distances(
     """
     if instruction.failures:
         return []
-    route = site.route(instruction.reference_route)
+    route = site.find_route(instruction.reference_route)
     legs = route_legs(site, route)
     if legs is None:
         return []

@@ -106,7 +106,7 @@ def run_on_route(run: ReportRun, site: Site, walks: Sequence[WalkOfRun]) -> RunO
 
 
 def _way_counts(site: Site, way: str, walks: Sequence[WalkOfRun]) -> WayCounts:
-    route = site.route(way)
+    route = site.find_route(way)
     decisions = decisions_of(site, route)
     followed = [walk.following for walk in walks]
     wanted = len(route.turns)

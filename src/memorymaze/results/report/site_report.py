@@ -132,7 +132,7 @@ class _Report:
         place = TablePlace(first.site, first.route)
         site = self._sources.sites[first.site]
         told = self._sources.instructions[first.instruction_id]
-        route = site.route(first.reference_route)
+        route = site.find_route(first.reference_route)
         walks = self._walks.setdefault(place, [[] for _ in self._runs])
         for each in runs:
             if each.story is not None and each.walk is not None:
@@ -171,7 +171,7 @@ class _Report:
         except RunFolderError as error:
             self._problems.append(str(error))
             return RunInEpisode(run, number, result, None, str(error), None, None)
-        way = self._sources.sites[result.site].route(result.reference_route)
+        way = self._sources.sites[result.site].find_route(result.reference_route)
         near = run.record.settings.success_distance
         walk = walk_of(result, story, way, near)
         belief = belief_timeline(story)
@@ -206,7 +206,7 @@ class _Report:
         """Return the ways that the episodes on a route describe."""
         names = {row.first.reference_route for row in self._rows[place]}
         site = self._sources.sites[place.site]
-        return [site.route(name) for name in sorted(names)]
+        return [site.find_route(name) for name in sorted(names)]
 
     # -- the rest
 

@@ -74,7 +74,7 @@ def read_sources(
             f"The plan of {name} in run {run.letter} is another one than before; its "
             "walks are drawn on that of the first run."
             for name, site in plans.items()
-            if name in sites and sites[name].plan != site.plan
+            if name in sites and sites[name] != site
         ]
         told = {each.id: each for each in read_instructions(run.folder)}
         for result in run.results:

@@ -25,7 +25,7 @@ class RecordedEpisode:
     @property
     def route(self) -> Route:
         """The way that the instruction describes."""
-        return self.site.route(self.result.reference_route)
+        return self.site.find_route(self.result.reference_route)
 
     @property
     def instruction(self) -> str:

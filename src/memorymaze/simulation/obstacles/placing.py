@@ -9,9 +9,9 @@ import shapely
 from shapely import LineString, Point, Polygon
 from shapely.geometry.base import BaseGeometry
 
-from memorymaze.geometry.pose import Pose
-from memorymaze.simulation.obstacles.settings import Movable
+from memorymaze.geometry.pose import Pose, moved
 from memorymaze.sites.records import Site, rectangle
+from memorymaze.sites.scene_objects import Movable
 
 PASSAGE = 0.9
 """Metres that stay free beside a thing, on one side at least."""
@@ -120,22 +120,18 @@ class _Placer:
         aside = float(rng.uniform(-0.3, 0.3))
         (ax, ay), (bx, by) = (point[:2] for point in stretch.line.coords)
         along = math.atan2(by - ay, bx - ax)
-        x = ax + at * math.cos(along)
-        y = ay + at * math.sin(along)
+        place = moved((ax, ay), along, at)
         across = along + side * math.pi / 2
         if middle:
-            x, y = x + aside * math.cos(across), y + aside * math.sin(across)
-            return Pose(x, y, math.remainder(along + math.pi, 2 * math.pi)), across
-        ray = LineString([
-            (x, y),
-            (x + 30 * math.cos(across), y + 30 * math.sin(across)),
-        ])
+            facing = math.remainder(along + math.pi, 2 * math.pi)
+            return Pose(*moved(place, across, aside), facing), across
+        ray = LineString([place, moved(place, across, 30)])
         beside = ray.intersection(stretch.polygon)
         first = min(
             (
                 piece.length
                 for piece in shapely.get_parts(beside)
-                if piece.distance(Point(x, y)) < 1e-6
+                if piece.distance(Point(place)) < 1e-6
             ),
             default=0.0,
         )
@@ -143,8 +139,7 @@ class _Placer:
         if out <= 0:
             return None
         facing = math.remainder(across + math.pi, 2 * math.pi)
-        x, y = x + out * math.cos(across), y + out * math.sin(across)
-        return Pose(x, y, facing), across
+        return Pose(*moved(place, across, out), facing), across
 
     def _suits(self, thing: Movable, pose: Pose, across: float) -> bool:
         covers = footprint(thing, pose)

@@ -1,15 +1,15 @@
 """How much stands in the way and how many people walk about in a run, and of which kinds."""
 
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field
 from itertools import cycle, islice
 from typing import Literal
 
 from memorymaze.errors import SettingsError, did_you_mean
 from memorymaze.options import check_number, parse_options, write_options
+from memorymaze.sites.scene_objects import PERSON, Movable
+from memorymaze.sites.things import ThingKind, thing_kinds
 
-PERSON = "person"
-"""Category of everyone who walks about."""
 PERSON_RADII = (0.27, 0.25, 0.30, 0.26, 0.28)
 """Metres; they take turns."""
 PERSON_HEIGHTS = (1.72, 1.60, 1.84, 1.66, 1.78, 1.55, 1.70)
@@ -23,68 +23,31 @@ PassersBy = Literal["memory", "wrong", "empty", "model"]
 that they do not know; or a language model from their memory."""
 
 
-@dataclass(frozen=True, slots=True)
-class ObstacleKind:
-    """A kind of thing that is left standing in corridors."""
-
-    category: str
-    """Common English noun."""
-    size: tuple[float, float, float]
-    """Length along its front, depth, height; metres."""
-    color: str
-    in_the_middle: bool
-    """Whether it is also left in the middle of wide ways, not only along walls."""
-    text: str | None = None
-    """Words written on it."""
-
-
-THING_KINDS = {
-    "cardboard_box": ObstacleKind("cardboard box", (0.5, 0.4, 0.45), "brown", False),
-    "cart": ObstacleKind("cart", (0.9, 0.5, 1.0), "grey", False),
-    "wet_floor_sign": ObstacleKind(
-        "wet floor sign", (0.3, 0.35, 0.65), "yellow", True, "CAUTION WET FLOOR"
-    ),
-    "suitcase": ObstacleKind("suitcase", (0.48, 0.28, 0.7), "blue", False),
-    "queue_barrier": ObstacleKind("queue barrier", (1.3, 0.3, 1.0), "black", True),
-    "ladder": ObstacleKind("ladder", (0.5, 0.45, 1.6), "silver", False),
+LEFT_STANDING = {
+    kind.name.replace(" ", "_"): kind
+    for kind in thing_kinds().values()
+    if kind.left_standing
 }
-"""Kinds by the names that settings use."""
-
-
-@dataclass(frozen=True, slots=True)
-class Movable:
-    """A thing or a person of a scene; where it is, is a matter of the episode."""
-
-    id: str
-    """Such as `cart-3` or `person-0`."""
-    category: str
-    """Common English noun."""
-    color: str | None
-    """Of a person: of the clothes."""
-    size: tuple[float, float, float]
-    """Length along its front, depth, height; metres. A person is round on the plan."""
-    text: str | None = None
-    """Words written on it."""
-    in_the_middle: bool = False
-    """Whether it may stand in the middle of wide ways."""
-
-    @property
-    def is_person(self) -> bool:
-        """Whether it is a person and no thing."""
-        return self.category == PERSON
-
-    @property
-    def radius(self) -> float:
-        """Half its length, metres; of a person the radius."""
-        return self.size[0] / 2
+"""Kinds of things that are left standing in corridors, by the names that settings use."""
 
 
 def things(count: int, kinds: Sequence[str]) -> list[Movable]:
     """Return so many things, the kinds taking turns."""
     return [
-        Movable(f"{name}-{number}", **asdict(THING_KINDS[name]))
+        _left_standing(f"{name}-{number}", LEFT_STANDING[name])
         for number, name in enumerate(islice(cycle(kinds), count))
     ]
+
+
+def _left_standing(identity: str, kind: ThingKind) -> Movable:
+    return Movable(
+        identity,
+        kind.name,
+        kind.colors[0],
+        kind.size,
+        next(iter(kind.texts), None),
+        kind.left_standing == "anywhere",
+    )
 
 
 def people(count: int) -> list[Movable]:
@@ -118,8 +81,8 @@ class ObstacleSettings:
     """People walking about, per 100 square metres of floor."""
     people: int | None = None
     """Number of people, whatever the size of the floor; None goes by the density."""
-    kinds: tuple[str, ...] = tuple(THING_KINDS)
-    """Kinds of things, by their names in `THING_KINDS`; they take turns."""
+    kinds: tuple[str, ...] = tuple(LEFT_STANDING)
+    """Kinds of things, by their names in `LEFT_STANDING`; they take turns."""
     patience: float = 15.0
     """Seconds a move waits for people before it reports an obstacle."""
     seed: int = 0
@@ -136,10 +99,10 @@ class ObstacleSettings:
         check_number(named("seed"), self.seed, 0, whole=True)
         if self.people is not None:
             check_number(named("people"), self.people, 0, MOST_PEOPLE, whole=True)
-        unknown = [kind for kind in self.kinds if kind not in THING_KINDS]
+        unknown = [kind for kind in self.kinds if kind not in LEFT_STANDING]
         if unknown or not self.kinds:
             raise SettingsError(
-                f"obstacle setting kinds: expected some of {', '.join(THING_KINDS)}, "
+                f"obstacle setting kinds: expected some of {', '.join(LEFT_STANDING)}, "
                 f"got {', '.join(map(repr, unknown)) or 'none'}"
             )
 

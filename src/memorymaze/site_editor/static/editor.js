@@ -124,7 +124,8 @@ async function drawn(tool, places) {
 
 function fresh(kind, places) {
   const route = plan.freeName("R");
-  const [place, heading] = kind === "landmark" ? standing(places[0], 0.4) : [];
+  const thing = form.forms.new_thing;
+  const [place, heading] = kind === "landmark" ? standing(places[0], thing.size_m[1]) : [];
   const floor = { name: null, floor_material: "carpet", wall_material: "plaster" };
   const properties = {
     corridor: floor,
@@ -132,8 +133,7 @@ function fresh(kind, places) {
     turning_point: { name: null, shape: "corner", exits: [] },
     room: { name: "Room", use: "office" },
     door: { room: null, style: "wood", color: "brown", label: null, state: "closed" },
-    landmark: { category: "bench", color: null, name: null, text: null, heading_deg: heading,
-      size_m: [1.2, 0.4, 0.45], mount: "floor", obstacle: true },
+    landmark: { ...thing, color: null, name: null, text: null, heading_deg: heading },
     route: { route, role: "reference", start_heading_deg: 0, goal: "the goal", goal_landmark: "",
       turns: [], note: "" },
   }[kind];

@@ -1,4 +1,4 @@
-"""From a route to the file of its walkthrough."""
+"""Walkthroughs: a slow drive along a route, and the file of its film."""
 
 import math
 from collections.abc import Callable, Iterator
@@ -75,7 +75,6 @@ def film_walkthrough(
             settings.fps,
             title=f"Walkthrough of {scene.site.title}, {route.id} (simulated)",
             total=len(poses),
-            spherical=settings.panorama,
             progress=progress,
             told=told,
         )

@@ -5,7 +5,7 @@ from hypothesis import strategies as st
 from PIL import Image
 
 from memorymaze.pictures.looks.boards import exit_board, pictogram_board, sign_board
-from memorymaze.simulation.senses.lettering import Field, fitted, write
+from memorymaze.pictures.looks.lettering import Field, fitted, write
 from memorymaze.sites import load_sites
 
 WHITE, BLACK = (1.0, 1.0, 1.0), (0.0, 0.0, 0.0)

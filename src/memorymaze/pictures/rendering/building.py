@@ -1,10 +1,9 @@
-"""Doors, landmarks and their shadows, as meshes at their places."""
+"""A building as the meshes that cameras draw and every export is made from."""
 
 import math
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
-from typing import NamedTuple
+from collections.abc import Iterator
 
+import numpy as np
 from shapely import Point, prepare
 
 from memorymaze.pictures.kinds_of_looks import Looks
@@ -12,10 +11,17 @@ from memorymaze.pictures.looks import surfaces
 from memorymaze.pictures.looks.assembly import MeshPart
 from memorymaze.pictures.looks.catalogue import model_for_landmark
 from memorymaze.pictures.looks.doors import model_for_door
-from memorymaze.pictures.rendering.meshes import MeshBuilder
-from memorymaze.simulation.scene import SceneObject
-from memorymaze.simulation.solids import door_solid, landmark_solid
-from memorymaze.sites.records import Landmark, Site
+from memorymaze.pictures.rendering.mesh_looks import mesh_building
+from memorymaze.pictures.rendering.meshes import (
+    Building,
+    BuildingMesh,
+    MeshBuilder,
+    PlacedMeshes,
+)
+from memorymaze.pictures.rendering.structure import structure_of
+from memorymaze.sites.records import Site
+from memorymaze.sites.scene_objects import SceneObject
+from memorymaze.sites.solids import door_solid, landmark_solid
 
 SHADOW_HEIGHT = 0.006
 SHADOW_MARGIN = 0.16
@@ -23,27 +29,16 @@ LOW = 0.3
 """Metres over the floor up to which a thing throws a shadow on it."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class PlacedMeshes:
-    """Meshes of one thing at one place."""
-
-    parts: Sequence[MeshPart]
-    x: float = 0.0
-    y: float = 0.0
-    z: float = 0.0
-    heading: float = 0.0
+def building(site: Site, looks: Looks) -> Building:
+    """Build the meshes of a site that passed the checks of `memorymaze.sites`."""
+    if looks == "mesh":
+        # What a mesh hides is not known beforehand.
+        return Building(mesh_building(site), np.empty((0, 4)))
+    around, hiding = structure_of(site)
+    return Building([*around, *_things(site, looks), *_shades(site)], hiding)
 
 
-class PlacedThing(NamedTuple):
-    """A door or a landmark where it is."""
-
-    object: SceneObject
-    meshes: PlacedMeshes
-    radius: float
-    """Of its circle on the plan, metres."""
-
-
-def placed_things(site: Site, looks: Looks) -> Iterator[PlacedThing]:
+def _things(site: Site, looks: Looks) -> Iterator[BuildingMesh]:
     """Yield all doors, then all landmarks, as the plan orders them."""
     floor = site.walkable_floor
     prepare(floor)
@@ -57,7 +52,8 @@ def placed_things(site: Site, looks: Looks) -> Iterator[PlacedThing]:
         placed = PlacedMeshes(model_for_door(door).parts, x, y, 0.0, heading)
         # An open leaf swings as far as the door is wide.
         reach = door.line.length + 0.3
-        yield PlacedThing(SceneObject("door", door), placed, reach)
+        thing = SceneObject("door", door)
+        yield BuildingMesh(door.id, "door", placed, (x, y, reach), thing)
     for landmark in site.landmarks:
         solid = landmark_solid(landmark, site)
         x, y, z = solid.position
@@ -69,17 +65,20 @@ def placed_things(site: Site, looks: Looks) -> Iterator[PlacedThing]:
             solid.heading,
         )
         radius = math.hypot(solid.half_size[0], solid.half_size[1])
-        yield PlacedThing(SceneObject("landmark", landmark), placed, radius)
+        thing = SceneObject("landmark", landmark)
+        yield BuildingMesh(landmark.id, "landmark", placed, (x, y, radius), thing)
 
 
-def shadow_under(landmark: Landmark, site: Site) -> PlacedMeshes | None:
-    """Return the shade on the floor under a thing; None for what hangs high."""
-    solid = landmark_solid(landmark, site)
-    x, y, z = solid.position
-    hx, hy, hz = solid.half_size
-    if landmark.mount != "floor" and z - hz > LOW:
-        return None
-    return PlacedMeshes((shadow(hx, hy),), x, y, SHADOW_HEIGHT, solid.heading)
+def _shades(site: Site) -> Iterator[BuildingMesh]:
+    """Yield the shades on the floor, which what hangs high has none of."""
+    for landmark in site.landmarks:
+        solid = landmark_solid(landmark, site)
+        x, y, z = solid.position
+        hx, hy, hz = solid.half_size
+        if landmark.mount == "floor" or z - hz <= LOW:
+            placed = PlacedMeshes((shadow(hx, hy),), x, y, SHADOW_HEIGHT, solid.heading)
+            radius = math.hypot(hx + SHADOW_MARGIN, hy + SHADOW_MARGIN)
+            yield BuildingMesh(landmark.id, "decal", placed, (x, y, radius))
 
 
 def shadow(half_x: float, half_y: float) -> MeshPart:

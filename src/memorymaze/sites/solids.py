@@ -1,6 +1,7 @@
 """Walls, doors and landmarks as boxes of their true size; plain geometry, no physics engine.
 
-- Walls stand outside the floor, along its boundary.
+- Walls stand outside the floor, along its boundary, up to the ceiling; round a hole over
+  which something hangs from the ceiling (a globe in an atrium) only a balustrade stands.
 - What stands on the floor: on the floor.
 - What hangs from the ceiling: the lower edge at 2.3 m where that fits under the ceiling;
   otherwise the upper edge at the ceiling.
@@ -22,6 +23,8 @@ from memorymaze.sites.records import Door, Landmark, Site
 
 WALL_THICKNESS = 0.1
 """Metres; all of it stands outside the floor."""
+BALUSTRADE_HEIGHT = 1.1
+"""Height in metres of the wall round a hole over which something hangs."""
 DOOR_HEIGHT = 2.1
 DOOR_PROUD = 0.02
 HANGING_HEIGHT = 2.3
@@ -99,6 +102,31 @@ class Solid(NamedTuple):
     """Half its depth, its length across the front and its height, metres."""
     heading: float
     """The way its front faces, radians."""
+
+
+def wall_solids(site: Site) -> Iterator[Solid]:
+    """Yield the walls of a site: up to the ceiling, or balustrades round open holes."""
+    open_rings = rings_with_things_above(site)
+    for wall in walls_around(site.walkable_floor):
+        height = site.ceiling_height
+        if wall.ring in open_rings:
+            height = BALUSTRADE_HEIGHT
+        yield Solid(
+            (wall.x, wall.y, height / 2),
+            (wall.half_length, wall.half_thickness, height / 2),
+            wall.heading,
+        )
+
+
+def rings_with_things_above(site: Site) -> set[int]:
+    """Return the holes of the floor (1 is the first) over which something hangs."""
+    hanging = [each.position for each in site.landmarks if each.mount == "ceiling"]
+    holes = orient(site.walkable_floor).interiors
+    return {
+        number
+        for number, hole in enumerate(holes, start=1)
+        if any(Polygon(hole).contains(position) for position in hanging)
+    }
 
 
 def door_solid(door: Door, site: Site) -> Solid:

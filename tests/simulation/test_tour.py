@@ -5,19 +5,19 @@ import pytest
 
 from memorymaze.errors import MemoryMazeError
 from memorymaze.geometry.pose import turn_between
-from memorymaze.pictures.films import Tour, tour_of
 from memorymaze.simulation.scene import Scene, build_scene
+from memorymaze.simulation.walkthrough import Tour, tour_of
 from memorymaze.sites.records import Site
 
 
 @pytest.fixture(scope="module")
 def tour(l_site: Site) -> Tour:
     """Along R1 of the way with a corner."""
-    return tour_of(build_scene(l_site), l_site.reference_route("R1"))
+    return tour_of(build_scene(l_site), l_site.find_route("R1"))
 
 
 def test_it_goes_from_the_start_to_the_goal(tour: Tour, l_site: Site) -> None:
-    route = l_site.reference_route("R1")
+    route = l_site.find_route("R1")
     poses = list(tour.poses(10))
     assert poses[0] == pytest.approx(route.start, abs=1e-6)
     goal = route.line.coords[-1][:2]
@@ -54,4 +54,4 @@ def test_a_route_that_cannot_be_driven_is_told(
 ) -> None:
     elsewhere = scenes["corridor"]
     with pytest.raises(MemoryMazeError, match=r"stopped by wall after .* sites check"):
-        tour_of(elsewhere, l_site.reference_route("R1"))
+        tour_of(elsewhere, l_site.find_route("R1"))

@@ -4,6 +4,7 @@ MuJoCo loads the OpenGL that `MUJOCO_GL` names when it is imported, also where n
 ever drawn, and fails on the spot with whatever that library raises.
 """
 
+import math
 import os
 
 from memorymaze.errors import RenderingError
@@ -18,3 +19,8 @@ except (AttributeError, OSError, RuntimeError) as error:
         "egl: apt-get install libegl1 libgl1 libgl1-mesa-dri; osmesa: apt-get install "
         "libosmesa6)"
     ) from error
+
+
+def about_z(heading: float) -> list[float]:
+    """Return a heading as a quaternion, w first."""
+    return [math.cos(heading / 2), 0.0, 0.0, math.sin(heading / 2)]
