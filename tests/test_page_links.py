@@ -1,9 +1,11 @@
-"""Links of pages lead somewhere, and pages that the code names are there."""
+"""Links lead somewhere, and pages and names are there that others name."""
 
 import re
 from pathlib import Path
 
 import pytest
+
+import memorymaze
 
 PROJECT = Path(__file__).parents[1]
 PAGES = sorted(
@@ -46,3 +48,9 @@ def test_pages_that_the_code_names_are_there() -> None:
         for page in re.findall(r"\bdocs/[\w/]+\.md", path.read_text("utf-8"))
     }
     assert [each for each in sorted(named) if not (PROJECT / each[1]).exists()] == []
+
+
+def test_the_reference_has_every_name_of_the_front_door() -> None:
+    page = (PROJECT / "docs" / "reference.md").read_text(encoding="utf-8")
+    told = re.findall(r"^::: memorymaze\.(\w+)$", page, re.MULTILINE)
+    assert sorted(told) == sorted({*memorymaze.__all__} - {"__version__"})
