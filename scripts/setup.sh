@@ -43,10 +43,6 @@ install --compile --upgrade "pip>=25.1"
 install --compile --constraint constraints.txt --editable . --group dev
 # Only cameras need OpenGL; whatever keeps it out must not keep the rest from working.
 bash scripts/setup_graphics.sh || echo "setup: going on without graphics" >&2
-# Furniture models, for cameras too; the project's own look plainer.
-if [ -d /usr/share/sweethome3d/furniture ]; then
-    "$venv/bin/memorymaze" sites models >/dev/null || echo "setup: going on without furniture models" >&2
-fi
 # Only tests of exported buildings need them.
 bash scripts/setup_node_packages.sh "$venv" || echo "setup: going on without node packages" >&2
 # Only tests of pages and of exported buildings need a browser.

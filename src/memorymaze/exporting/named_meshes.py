@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from shapely import Polygon
 
+from memorymaze.pictures import OWN
 from memorymaze.pictures.looks.assembly import MeshPart
 from memorymaze.pictures.looks.materials import Material
 from memorymaze.pictures.rendering.building import building
@@ -50,12 +51,11 @@ class NamedMesh:
 def named_meshes(site: Site) -> Iterator[NamedMesh]:
     """Yield a building: floor with all around it, doors, things, and rooms as places.
 
-    Things look as this project's own code makes them, never as furniture models that
-    carry others' licences.
+    Things have this project's own looks, never models that carry others' licences.
     """
     attributes = feature_attributes(site)
     found: dict[tuple[str, str], list[BuildingMesh]] = defaultdict(list)
-    for mesh in building(site, "own").meshes:
+    for mesh in building(site, OWN).meshes:
         found[mesh.owner, mesh.kind].append(mesh)
     for feature in (*site.corridors, *site.areas, *site.turning_points):
         floor = found.pop((feature.id, "floor"), None)

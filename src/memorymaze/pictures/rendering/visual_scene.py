@@ -10,9 +10,8 @@ from numpy.typing import NDArray
 
 from memorymaze.geometry.pose import Pose
 from memorymaze.physics_engine import mujoco
-from memorymaze.pictures.furniture.models import check_looks
-from memorymaze.pictures.kinds_of_looks import Looks
-from memorymaze.pictures.looks.catalogue import model_of
+from memorymaze.pictures.kinds_of_looks import OWN, Looks
+from memorymaze.pictures.looks.catalogue import check_looks, model_of
 from memorymaze.pictures.rendering.building import (
     SHADOW_HEIGHT,
     SHADOW_MARGIN,
@@ -92,14 +91,14 @@ class VisualScene:
 
 
 def build_visual_scene(
-    site: Site, movables: Sequence[Movable] = (), looks: Looks | None = None
+    site: Site, movables: Sequence[Movable] = (), looks: Looks = OWN
 ) -> VisualScene:
     """Build what a site looks like. Takes a second or two; OpenGL is not needed.
 
     Args:
         site: A building that passed the checks of `memorymaze.sites`.
         movables: Things and people that `VisualScene.place` will place.
-        looks: How things look; None for models where they were converted; `mesh` for
+        looks: How things look: `own`, the path of a GLB file with models, or `mesh` for
             the building's own mesh, which stands beside its plan.
     """
     looks = check_looks(looks)
