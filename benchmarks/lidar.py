@@ -17,8 +17,8 @@ from benchmarks.measuring import Row
 from memorymaze.geometry.pose import Pose
 from memorymaze.simulation.scene import build_scene
 from memorymaze.simulation.senses.lidar import Lidar, LidarSettings
-from memorymaze.simulation.solids import Solid, door_solid, landmark_solid
 from memorymaze.sites import BUILTIN_SITE_NAMES, Site, load_site
+from memorymaze.sites.solids import Solid, door_solid, landmark_solid
 
 PLAIN = "numpy, all rays with all edges of the plan"
 POSES = 60

@@ -25,7 +25,6 @@ from benchmarks.measuring import Row
 from memorymaze.geometry.pose import Pose
 from memorymaze.perception.eyes import Eyes, SignSource
 from memorymaze.perception.sign_reading import PICTURE_SIZE
-from memorymaze.pictures import robot_cameras
 from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.simulation.scene import Scene, build_scene
 from memorymaze.simulation.senses.sight_targets import inscription
@@ -102,7 +101,6 @@ def measure(
             scene,
             place.pose,
             sign_reader=eyes.sign_reader(),
-            cameras=robot_cameras,
         )
         began = time.perf_counter()
         signs = robot.read_signs()

@@ -9,6 +9,7 @@ by a robot that stands at its beginning. Open-air areas follow.
 import argparse
 import math
 from collections.abc import Iterator
+from contextlib import closing
 from itertools import combinations
 from pathlib import Path
 
@@ -16,12 +17,15 @@ from PIL import Image, ImageDraw
 from shapely import LineString
 
 from memorymaze.geometry.pose import Pose
+from memorymaze.pictures.films import WalkthroughSettings
+from memorymaze.pictures.films.drawing import Artist
+from memorymaze.pictures.films.video_file import BT709, LIMITED_RANGE, video_frame
 from memorymaze.pictures.rendering import (
-    PanoramaCamera,
     RenderedCamera,
     VisualScene,
     build_visual_scene,
 )
+from memorymaze.robot.steps import CAMERA_HEIGHT
 from memorymaze.sites import Site, load_sites
 
 WIDTH, HEIGHT, LABEL = 320, 240, 16
@@ -43,12 +47,20 @@ def main() -> None:
     for name, site in load_sites().items():
         scene = build_visual_scene(site)
         save(sheet(scene, list(views(site))), out / f"{name}_views.png")
-        with PanoramaCamera(scene, SHRINK * PANORAMA_WIDTH, multisamples=4) as camera:
-            route = site.find_route("R1").line
-            middle = route.interpolate(0.5, normalized=True)
-            frame = camera.frame(Pose(middle.x, middle.y, 0.0))
-        panorama = Image.fromarray(frame.rgb).reduce(SHRINK)
-        save(panorama, out / f"{name}_panorama.png")
+        save(panorama(site), out / f"{name}_panorama.png")
+
+
+def panorama(site: Site) -> Image.Image:
+    """Return the view all round from the middle of route R1, as in films."""
+    size = (SHRINK * PANORAMA_WIDTH, SHRINK * PANORAMA_WIDTH // 2)
+    settings = WalkthroughSettings(size, panorama=True, height=CAMERA_HEIGHT)
+    middle = site.find_route("R1").line.interpolate(0.5, normalized=True)
+    with closing(Artist(site, settings)) as artist:
+        planes = artist.planes(Pose(middle.x, middle.y, 0.0))
+    colours = video_frame(planes).reformat(
+        format="rgb24", src_colorspace=BT709, src_color_range=LIMITED_RANGE
+    )
+    return Image.fromarray(colours.to_ndarray()).reduce(SHRINK)
 
 
 def views(site: Site) -> Iterator[tuple[str, Pose]]:

@@ -9,10 +9,11 @@ from pathlib import Path
 
 from PIL import Image
 
-from memorymaze.pictures.films import WalkthroughSettings, tour_of
+from memorymaze.pictures.films import WalkthroughSettings
 from memorymaze.pictures.rendering import RenderedCamera
-from memorymaze.pictures.rendering.robot_eyes import visual_scene_of
+from memorymaze.simulation.cameras import visual_scene_of
 from memorymaze.simulation.scene import build_scene
+from memorymaze.simulation.walkthrough import tour_of
 from memorymaze.sites import load_sites
 
 WIDTH, HEIGHT, FRAMES = 320, 180, 5

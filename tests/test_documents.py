@@ -1,11 +1,14 @@
+import ast
 import json
 import re
+import runpy
+import shutil
 import subprocess
 import sys
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import pytest
 
@@ -26,13 +29,88 @@ def _run(program: str, folder: Path) -> str:
     return done.stdout
 
 
+class Page(NamedTuple):
+    """A page's blocks of Python, in order."""
+
+    run: str
+    """Those that are run, with what readers do not see in comments `<!-- run too: … -->`."""
+    left_out: tuple[tuple[str, str], ...]
+    """Why, and the block: those below a comment `<!-- not run: … -->`."""
+
+
+def page_of(path: Path) -> Page:
+    run: list[str] = []
+    left_out: list[tuple[str, str]] = []
+    for hidden, reason, block in PYTHON.findall(path.read_text(encoding="utf-8")):
+        if reason:
+            left_out.append((reason, block))
+        else:
+            run.append(hidden or block)
+    return Page("\n".join(run), tuple(left_out))
+
+
+PYTHON = re.compile(
+    r"^<!-- run too:\n((?:(?!-->).*\n)*)-->$"
+    r"|^(?:<!-- not run:(.*)-->\n)?```python\n((?:(?!```).*\n)*)```$",
+    flags=re.MULTILINE,
+)
+PATHS = (PROJECT / "README.md", *sorted((PROJECT / "docs").glob("*.md")))
+PAGES = {path.name: page_of(path) for path in PATHS}
+SMALLER = {"README.md": ('"guide", limit=60', '"stop", limit=2')}
+"""What takes minutes, and what is run instead."""
+
+
+@pytest.mark.parametrize(
+    "name", [name for name, page in PAGES.items() if page.run and name != "python.md"]
+)
+def test_the_python_blocks_of_a_page_run(
+    name: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    tiny_sites_folder: Path,
+    tiny_instructions: Path,
+) -> None:
+    """Where they are, there are a plan, `my_building.geojson`, and texts of it."""
+    shutil.copy(
+        tiny_sites_folder / "corridor.geojson", tmp_path / "my_building.geojson"
+    )
+    shutil.copy(tiny_instructions, tmp_path / "texts.jsonl")
+    monkeypatch.chdir(tmp_path)
+    program = PAGES[name].run
+    if name in SMALLER:
+        assert SMALLER[name][0] in program
+        program = program.replace(*SMALLER[name])
+    path = tmp_path / "page.py"
+    path.write_text(program, encoding="utf-8")
+    runpy.run_path(str(path), run_name=path.stem)
+
+
+def test_blocks_that_are_not_run_are_python_and_say_why() -> None:
+    left_out = [each for page in PAGES.values() for each in page.left_out]
+    for reason, block in left_out:
+        assert reason.strip()
+        ast.parse(block)
+    assert len(left_out) < 10
+
+
+def test_python_stands_in_python_blocks() -> None:
+    """So that it is run: not indented, and in no block of another kind."""
+    for path in PATHS:
+        text = path.read_text(encoding="utf-8")
+        found = PYTHON.findall(text)
+        for number, mark in enumerate(("<!-- run too:", "<!-- not run:", "```python")):
+            assert sum(bool(each[number]) for each in found) == text.count(
+                f"\n{mark}"
+            ), path
+        assert not re.findall(r"^    (?:from \w+.* )?import \w+", text, re.MULTILINE)
+
+
 def test_the_python_blocks_of_the_page_on_python_run(
     tmp_path: Path, chat_server: Callable[..., tuple[str, list[dict[str, Any]]]]
 ) -> None:
     """Its agent that asks a model is recorded, replayed and priced."""
     address, asked = chat_server(lambda _: "forward", "my-model", (100, 2))
-    page = (PROJECT / "docs" / "python.md").read_text(encoding="utf-8")
-    program = "\n".join(re.findall(r"```python\n(.*?)```", page, flags=re.DOTALL))
+    program = PAGES["python.md"].run
     assert "http://localhost:8000/v1" in program
     said = _run(program.replace("http://localhost:8000/v1", address), tmp_path)
     assert "right_hand, 6 episodes" in said

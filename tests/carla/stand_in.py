@@ -22,8 +22,8 @@ import carla
 from memorymaze.carla import CarlaOptions
 from memorymaze.errors import RenderingError
 from memorymaze.geometry.pose import Pose
-from memorymaze.pictures import robot_cameras
-from memorymaze.simulation.physics_engine import mujoco
+from memorymaze.physics_engine import mujoco
+from memorymaze.simulation.cameras import SceneCameras
 from memorymaze.simulation.scene import Scene, build_scene
 from memorymaze.simulation.senses.lidar import Lidar, LidarSettings
 from memorymaze.sites import Site
@@ -203,7 +203,7 @@ class StandInServer:
         self._physics = mujoco.MjData(self._scene.model)
         mujoco.mj_kinematics(self._scene.model, self._physics)
         self._floor = standing_floor(site)
-        self._eyes = robot_cameras(self._scene, self._physics)
+        self._eyes = SceneCameras(self._scene, self._physics, "own")
         self._walkers_rng = np.random.default_rng(0)
         self._thread = ThreadPoolExecutor(1)
 

@@ -11,9 +11,9 @@ import carla
 from memorymaze.carla.frames import pose_of
 from memorymaze.errors import RobotBodyError, SettingsError
 from memorymaze.geometry.pose import Pose
-from memorymaze.pictures import robot_cameras
+from memorymaze.physics_engine import mujoco
 from memorymaze.robot.sensors_and_motion import SensorsAndMotion
-from memorymaze.simulation.physics_engine import mujoco
+from memorymaze.simulation.cameras import SceneCameras
 from memorymaze.simulation.scene import build_scene
 from memorymaze.simulation.senses.lidar import Lidar
 from memorymaze.steering.guide_robot import GuideRobot
@@ -122,7 +122,7 @@ def test_its_pictures_are_those_of_our_own_camera_there(
     scene = build_scene(server.site)
     data = mujoco.MjData(scene.model)
     mujoco.mj_kinematics(scene.model, data)
-    eyes = robot_cameras(scene, data)
+    eyes = SceneCameras(scene, data, "own")
     for width, height, fov in ((64, 48, 1.2), (32, 32, math.pi / 2), (64, 48, 1.2)):
         picture = body.camera_picture(width, height, fov)
         ours = eyes.frame(body.pose_in_site(), width, height, fov)

@@ -164,13 +164,12 @@ def test_pictures_are_the_same_from_process_to_process(tmp_path: Path) -> None:
 import hashlib, sys
 import numpy as np
 from memorymaze.agents.navid.motions import Frame
-from memorymaze.pictures import robot_cameras
 from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.simulation.scene import build_scene
 from memorymaze.sites import load_site
 site = load_site(sys.argv[1])
 start = site.routes[0].start
-robot = SimulatedRobot(build_scene(site), start, cameras=robot_cameras)
+robot = SimulatedRobot(build_scene(site), start)
 for step in range(3):
     robot.step_forward(0.25)
     frame = Frame(step, None, robot.camera_picture().rgb, "x")

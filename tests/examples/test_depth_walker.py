@@ -12,7 +12,6 @@ import pytest
 
 import memorymaze as mm
 from memorymaze.evaluation.guarded_robot import GuardedRobot
-from memorymaze.pictures import robot_cameras
 from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.simulation.scene import build_scene
 
@@ -35,7 +34,7 @@ mm.evaluate(RightHand())
 def test_it_stops_before_the_wall_it_sees(corridor_site: mm.Site) -> None:
     agent = runpy.run_path(str(EXAMPLE))["DepthWalker"]()
     start = corridor_site.routes[0].start._replace(x=14.0)
-    robot = SimulatedRobot(build_scene(corridor_site), start, cameras=robot_cameras)
+    robot = SimulatedRobot(build_scene(corridor_site), start)
     journal = mm.Journal()
 
     agent.follow("Go.", GuardedRobot(robot), journal, np.random.default_rng(0))

@@ -9,7 +9,6 @@ import pytest
 from shapely import Point, Polygon, box
 
 from memorymaze.geometry.pose import Pose
-from memorymaze.pictures import robot_cameras
 from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.simulation.scene import Scene
 from memorymaze.simulation.settings import SimulationSettings
@@ -103,7 +102,6 @@ def put_robot(scenes: dict[str, Scene]) -> PutRobot:
             SimulationSettings(**settings),
             np.random.default_rng(seed),
             None if events is None else events.append,
-            cameras=robot_cameras,
         )
 
     return put

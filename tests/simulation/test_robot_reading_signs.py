@@ -8,7 +8,6 @@ from shapely import LineString
 
 from memorymaze.geometry.pose import Pose
 from memorymaze.perception.eyes import Eyes
-from memorymaze.pictures import robot_cameras
 from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.simulation.scene import build_scene
 from memorymaze.sites.records import Door
@@ -87,9 +86,7 @@ def test_painted_signs_are_read_from_the_picture_as_they_are_written(plans):
         sign("where", -1.2, "Restrooms and Shop", (1.0, 0.05, 0.4)),
     )
     reader = Eyes(signs="ocr").sign_reader()
-    robot = SimulatedRobot(
-        build_scene(site), Pose(3, 0, 0), sign_reader=reader, cameras=robot_cameras
-    )
+    robot = SimulatedRobot(build_scene(site), Pose(3, 0, 0), sign_reader=reader)
 
     signs = {each.text: each for each in robot.read_signs()}
 

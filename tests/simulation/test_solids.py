@@ -7,15 +7,15 @@ import pytest
 from shapely import LineString, Polygon, box
 from shapely.affinity import rotate, translate
 
-from memorymaze.simulation.solids import (
+from memorymaze.sites import Site
+from memorymaze.sites.records import Door
+from memorymaze.sites.solids import (
     WALL_THICKNESS,
     _Wall,
     door_solid,
     landmark_solid,
     walls_around,
 )
-from memorymaze.sites import Site
-from memorymaze.sites.records import Door
 
 
 def footprint(wall: _Wall) -> Polygon:

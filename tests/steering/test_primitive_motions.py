@@ -8,7 +8,6 @@ from tests.simulation.conftest import PutRobot
 from memorymaze.errors import CommandError, EpisodeOver, ProgramError, SettingsError
 from memorymaze.geometry.pose import Pose, turn_between
 from memorymaze.language.sandbox import run_program
-from memorymaze.pictures import robot_cameras
 from memorymaze.robot.specification import API_NAMES, api_specification
 from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.simulation.scene import Scene
@@ -73,7 +72,7 @@ def test_a_turn_is_as_wide_as_asked_and_on_the_spot(
 def test_steps_end_at_rest_and_tell_what_happened(
     scenes: dict[str, Scene], steps: list[tuple[str, float]]
 ) -> None:
-    robot = SimulatedRobot(scenes["two_rooms"], Pose(3, 3, 0.3), cameras=robot_cameras)
+    robot = SimulatedRobot(scenes["two_rooms"], Pose(3, 3, 0.3))
     for name, amount in steps:
         before, since = robot.pose, robot.time
         done = getattr(robot, name)(amount)

@@ -19,7 +19,6 @@ from memorymaze.evaluation.guarded_robot import OracleAgent
 from memorymaze.geometry.pose import Pose
 from memorymaze.language.model import CompletionRequest
 from memorymaze.language.scripted_model import ScriptedLanguageModel
-from memorymaze.pictures import robot_cameras
 from memorymaze.robot.api import Robot
 from memorymaze.robot.steps import SteppingRobot
 from memorymaze.simulation.robot import SimulatedRobot
@@ -61,7 +60,7 @@ def make_robot(corridor_site: Site) -> Callable[[], SteppingRobot]:
     """Robots in a corridor, for five simulated seconds."""
     scene = build_scene(corridor_site)
     settings = SimulationSettings(time_budget=5.0)
-    return lambda: SimulatedRobot(scene, Pose(2, 0, 0), settings, cameras=robot_cameras)
+    return lambda: SimulatedRobot(scene, Pose(2, 0, 0), settings)
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 
 from memorymaze.geometry.pose import Pose
-from memorymaze.pictures import robot_cameras
 from memorymaze.robot.sensors_and_motion import OdometryReading, SensorsAndMotion
 from memorymaze.robot.steps import LidarScan
 from memorymaze.simulation.body import SimulatedBody
@@ -28,7 +27,6 @@ def test_the_simulated_body_keeps_the_contract(l_site: Site, localised: bool) ->
         SimulationSettings(),
         np.random.default_rng(0),
         localised=localised,
-        cameras=robot_cameras,
     )
     assert isinstance(body, SensorsAndMotion)
     check_sensors_and_motion(body)

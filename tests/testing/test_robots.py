@@ -7,7 +7,6 @@ import pytest
 from memorymaze.evaluation.guarded_robot import GuardedRobot
 from memorymaze.geometry.pose import Pose
 from memorymaze.perception.eyes import Eyes, parse_detector
-from memorymaze.pictures import robot_cameras
 from memorymaze.robot.api import Detection, Direction, MoveResult, Robot, TurnResult
 from memorymaze.robot.steps import LidarScan
 from memorymaze.simulation.obstacles import parse_obstacles
@@ -82,9 +81,6 @@ MISTAKEN = Eyes(parse_detector("truth:errors"))
                 *at, detector=MISTAKEN.detector_for(np.random.default_rng(0))
             ),
             id="with mistakes",
-        ),
-        pytest.param(
-            lambda *at: SimulatedRobot(*at, cameras=robot_cameras), id="with cameras"
         ),
     ],
 )

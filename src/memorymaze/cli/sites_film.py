@@ -41,19 +41,18 @@ def add_film(actions: Verbs) -> None:
     )
     parser.add_argument(
         "--looks",
-        choices=("own", "models", "mesh"),
-        help="how things look: own, models (furniture models; see memorymaze sites "
-        "models, and the default where it was called), or mesh (PLAN.glb beside the plan)",
+        default="own",
+        metavar="LOOKS",
+        help="how things look: own, mesh (PLAN.glb beside the plan), or a GLB file with "
+        "models of yours over our own (docs/assets.md)",
     )
     parser.set_defaults(run=_run)
 
 
 def _run(options: argparse.Namespace) -> None:
-    from memorymaze.pictures.films import (
-        WalkthroughSettings,
-        film_walkthrough,
-    )
+    from memorymaze.pictures.films import WalkthroughSettings
     from memorymaze.simulation.scene import build_scene
+    from memorymaze.simulation.walkthrough import film_walkthrough
     from memorymaze.sites import load_site
 
     settings = WalkthroughSettings(

@@ -184,7 +184,7 @@ def take_pictures(scene: Scene, viewpoint: Viewpoint) -> tuple[Picture, ...]:
 def _camera(scene: Scene) -> Any:
     # Runs that never draw load neither OpenGL nor the looks of things.
     from memorymaze.pictures.rendering import RenderedCamera
-    from memorymaze.pictures.rendering.robot_eyes import visual_scene_of
+    from memorymaze.simulation.cameras import visual_scene_of
 
     looks = visual_scene_of(scene, LOOKS)
     return RenderedCamera(looks, PICTURE_WIDTH, PICTURE_HEIGHT, PICTURE_FOV)

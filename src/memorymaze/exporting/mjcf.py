@@ -14,13 +14,12 @@ from memorymaze.exporting.named_meshes import (
     plan_members,
     site_file_stem,
 )
+from memorymaze.physics_engine import about_z, mujoco
+from memorymaze.pictures.rendering.meshes import PlacedMeshes
 from memorymaze.pictures.rendering.mujoco_model import SpecAssembler
-from memorymaze.pictures.rendering.placed_things import PlacedMeshes
 from memorymaze.pictures.rendering.visual_scene import add_lights
-from memorymaze.simulation.physics_engine import mujoco
-from memorymaze.simulation.scene import about_z, wall_solids
-from memorymaze.simulation.solids import Solid, landmark_solid
 from memorymaze.sites.records import Site
+from memorymaze.sites.solids import Solid, landmark_solid, wall_solids
 
 TEXTURES = "textures"
 SEEN_GROUP, SOLID_GROUP = 1, 3

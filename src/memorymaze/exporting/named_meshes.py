@@ -8,28 +8,16 @@ from dataclasses import dataclass
 import numpy as np
 from shapely import Polygon
 
+from memorymaze.pictures import OWN
 from memorymaze.pictures.looks.assembly import MeshPart
 from memorymaze.pictures.looks.materials import Material
-from memorymaze.pictures.rendering.meshes import MeshKind
-from memorymaze.pictures.rendering.placed_things import (
-    PlacedMeshes,
-    placed_things,
-    shadow_under,
-)
-from memorymaze.pictures.rendering.structure import structure_of
+from memorymaze.pictures.rendering.building import building
+from memorymaze.pictures.rendering.meshes import BuildingMesh, PlacedMeshes
 from memorymaze.sites.plan import feature_of, site_plan
 from memorymaze.sites.records import PlanPart, Site
 
 Attributes = Mapping[str, object]
 """What the plan says of a feature, as JSON takes it; nothing stands for null."""
-WORDS: Mapping[MeshKind, str] = {
-    "floor": "floor",
-    "ceiling": "ceiling",
-    "wall": "wall",
-    "beyond": "beyond",
-    "decal": "shade",
-}
-"""Kinds of what is round a piece of floor."""
 FLOOR_FEATURES = ("corridor", "area", "turning_point")
 """Kinds of features that are floor."""
 
@@ -63,19 +51,26 @@ class NamedMesh:
 def named_meshes(site: Site) -> Iterator[NamedMesh]:
     """Yield a building: floor with all around it, doors, things, and rooms as places.
 
-    Things look as this project's own code makes them, never as furniture models that
-    carry others' licences.
+    Things have this project's own looks, never models that carry others' licences.
     """
     attributes = feature_attributes(site)
-    yield from _structure(site, attributes)
-    for thing in placed_things(site, "own"):
-        record = thing.object.record
-        assert record is not None
-        yield NamedMesh(record.id, attributes[record.id], thing.meshes)
-    for landmark in site.landmarks:
-        shade = shadow_under(landmark, site)
-        if shade is not None:
-            yield _around(landmark.id, "decal", shade)
+    found: dict[tuple[str, str], list[BuildingMesh]] = defaultdict(list)
+    for mesh in building(site, OWN).meshes:
+        found[mesh.owner, mesh.kind].append(mesh)
+    for feature in (*site.corridors, *site.areas, *site.turning_points):
+        floor = found.pop((feature.id, "floor"), None)
+        # Another feature may cover all of its floor: then it is a place only.
+        placed = _together(floor) if floor else _place(feature.polygon)
+        yield NamedMesh(feature.id, attributes[feature.id], placed)
+    for (owner, kind), meshes in found.items():
+        placed = _together(meshes)
+        if meshes[0].thing is None:
+            word = "shade" if kind == "decal" else kind
+            name = f"{owner}/{word}"
+            of = {"id": name, "kind": word, "part_of": owner}
+            yield NamedMesh(name, of, placed)
+        else:
+            yield NamedMesh(owner, attributes[owner], placed)
     for room in site.rooms:
         yield NamedMesh(room.id, attributes[room.id], _place(room.polygon))
 
@@ -97,36 +92,19 @@ def plan_members(site: Site) -> Attributes:
     return _without_null({**plan, "routes": routes or None})
 
 
-def _structure(site: Site, attributes: Mapping[str, Attributes]) -> Iterator[NamedMesh]:
-    found: dict[tuple[str, MeshKind], list[MeshPart]] = defaultdict(list)
-    for made in structure_of(site).slices:
-        for kind, part in made.meshes():
-            found[made.part_of, kind].append(part)
-    for feature in (*site.corridors, *site.areas, *site.turning_points):
-        floor = found.pop((feature.id, "floor"), None)
-        # Another feature may cover all of its floor: then it is a place only.
-        placed = _on_the_plan(floor) if floor else _place(feature.polygon)
-        yield NamedMesh(feature.id, attributes[feature.id], placed)
-    for (feature, kind), parts in found.items():
-        yield _around(feature, kind, _on_the_plan(parts))
-
-
-def _around(feature: str, kind: MeshKind, placed: PlacedMeshes) -> NamedMesh:
-    word = WORDS[kind]
-    name = f"{feature}/{word}"
-    return NamedMesh(name, {"id": name, "kind": word, "part_of": feature}, placed)
-
-
 def _place(polygon: Polygon) -> PlacedMeshes:
     place = polygon.representative_point()
     return PlacedMeshes((), place.x, place.y)
 
 
-def _on_the_plan(parts: Sequence[MeshPart]) -> PlacedMeshes:
-    """Join the parts of each material; their vertices are in the plan's frame."""
+def _together(meshes: Sequence[BuildingMesh]) -> PlacedMeshes:
+    """Join the parts of each material of pieces whose vertices are in the plan's frame."""
+    if len(meshes) == 1:
+        return meshes[0].placed
     by_material: dict[Material, list[MeshPart]] = defaultdict(list)
-    for part in parts:
-        by_material[part.material].append(part)
+    for mesh in meshes:
+        for part in mesh.placed.parts:
+            by_material[part.material].append(part)
     return PlacedMeshes([_joined(each) for each in by_material.values()])
 
 

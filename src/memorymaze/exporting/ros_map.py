@@ -13,13 +13,13 @@ from shapely.ops import nearest_points
 from memorymaze.durable_files import new_folder
 from memorymaze.exporting.named_meshes import Attributes, feature_attributes
 from memorymaze.options import check_number
-from memorymaze.simulation.solids import WALL_THICKNESS
 from memorymaze.sites.navigation_graph import (
     NavigationGraph,
     navigation_graph,
     standing_floor,
 )
 from memorymaze.sites.records import Door, Landmark, Room, Site, TurningPoint
+from memorymaze.sites.solids import WALL_THICKNESS
 
 RESOLUTION = 0.05
 """Metres per pixel, unless told otherwise."""

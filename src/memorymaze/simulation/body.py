@@ -8,16 +8,17 @@ import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from memorymaze.errors import RenderingError
 from memorymaze.geometry.pose import Pose
 from memorymaze.geometry.trajectory import TimedPose, Trajectory
 from memorymaze.perception.camera_view import CameraView
+from memorymaze.pictures import OWN, Looks
 from memorymaze.robot.sensors_and_motion import OdometryReading
 from memorymaze.robot.steps import CameraPicture, LidarScan
-from memorymaze.simulation.cameras import CameraMaker, RobotCameras
 from memorymaze.simulation.motion.kinematic_base import KinematicBase
 from memorymaze.simulation.motion.wheeled_base import WheeledBase
 from memorymaze.simulation.obstacles.surroundings import ObstacleSurroundings
@@ -27,6 +28,10 @@ from memorymaze.simulation.senses.odometry import Odometry, OdometrySettings
 from memorymaze.simulation.senses.visibility import RayCamera, camera_elsewhere
 from memorymaze.simulation.settings import TIMESTEP, SimulationSettings
 from memorymaze.steering.turning_points import LidarTurningPoints
+
+if TYPE_CHECKING:
+    from memorymaze.pictures.rendering import CameraFrame
+    from memorymaze.simulation.cameras import SceneCameras
 
 SAME_TOUCH = 1.0
 """Seconds within which touching the same thing again is the same collision."""
@@ -91,11 +96,6 @@ class BodyInSite(ABC):
     def time(self) -> float:
         """Seconds by its clock since the start."""
 
-    @property
-    @abstractmethod
-    def cameras(self) -> RobotCameras:
-        """What draws its pictures."""
-
     @abstractmethod
     def odometry(self) -> OdometryReading:
         """See `SensorsAndMotion.odometry`."""
@@ -113,6 +113,12 @@ class BodyInSite(ABC):
         self, width: int = 640, height: int = 480, horizontal_fov: float = math.pi / 2
     ) -> CameraPicture:
         """See `SensorsAndMotion.camera_picture`."""
+
+    @abstractmethod
+    def camera_frame(
+        self, width: int, height: int, horizontal_fov: float
+    ) -> "CameraFrame":
+        """Draw what the camera sees, and what each pixel shows."""
 
     @abstractmethod
     def rest(self, seconds: float) -> None:
@@ -175,7 +181,7 @@ class SimulatedBody(BodyInSite):
         lidar: LidarSettings | None = None,
         odometry: OdometrySettings | None = None,
         localised: bool = True,
-        cameras: CameraMaker | None = None,
+        looks: Looks = OWN,
     ) -> None:
         """Put it at rest on its start pose, with nobody around.
 
@@ -192,8 +198,7 @@ class SimulatedBody(BodyInSite):
         self.wheel_odometry = Odometry(start, odometry, odometry_rng)
         """Where it would believe it is by its wheels."""
         self.localised = localised
-        self._camera_maker = cameras
-        self._cameras: RobotCameras | None = None
+        self._looks: Looks = looks
         self._touches: dict[int, float] = {}
 
     @property
@@ -230,10 +235,16 @@ class SimulatedBody(BodyInSite):
         self, width: int = 640, height: int = 480, horizontal_fov: float = math.pi / 2
     ) -> CameraPicture:
         """See `SensorsAndMotion.camera_picture`; the first call takes seconds."""
-        frame = self.cameras.frame(self.pose, width, height, horizontal_fov)
+        frame = self.camera_frame(width, height, horizontal_fov)
         return CameraPicture(frame.rgb, frame.depth)
 
     # What the simulation knows besides.
+
+    def camera_frame(
+        self, width: int, height: int, horizontal_fov: float
+    ) -> "CameraFrame":
+        """See `BodyInSite.camera_frame`; the first call takes seconds."""
+        return self._cameras.frame(self.pose, width, height, horizontal_fov)
 
     def rest(self, seconds: float) -> None:
         """Let time pass for a robot at rest in a building where nothing moves.
@@ -264,18 +275,12 @@ class SimulatedBody(BodyInSite):
         """See `BodyInSite.lidar_turning_points`."""
         return LidarTurningPoints(self.lidar.scan, start, self.wheel_odometry.update)
 
-    @property
-    def cameras(self) -> RobotCameras:
-        """What draws its pictures."""
-        if self._cameras is not None:
-            return self._cameras
-        if self._camera_maker is None:
-            raise RenderingError(
-                "expected a robot with cameras, got one made without; give "
-                "SimulatedRobot cameras=memorymaze.pictures.robot_cameras"
-            )
-        self._cameras = self._camera_maker(self.scene, self.base.data)
-        return self._cameras
+    @cached_property
+    def _cameras(self) -> "SceneCameras":
+        # Robots that never draw load neither OpenGL nor the looks of things.
+        from memorymaze.simulation.cameras import SceneCameras
+
+        return SceneCameras(self.scene, self.base.data, self._looks)
 
     def _note_touches(self, geoms: list[int]) -> None:
         for geom in sorted(set(geoms)):

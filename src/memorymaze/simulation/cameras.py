@@ -1,71 +1,62 @@
-"""What a robot's cameras give, and what gives it; `pictures` draws, nothing here does."""
+"""Cameras in a scene, with the things and people where its physics has them."""
 
-from collections.abc import Callable
-from dataclasses import dataclass
-from typing import Protocol
-
-import numpy as np
-from numpy.typing import NDArray
+import math
+import os
+import threading
+from functools import lru_cache
 
 from memorymaze.geometry.pose import Pose
-from memorymaze.simulation.physics_engine import mujoco
-from memorymaze.simulation.scene import Scene, SceneObject
-
-NOTHING = -1
-"""In `instances`: the sky."""
-
-
-@dataclass(frozen=True, eq=False)
-class CameraFrame:
-    """One picture of a camera."""
-
-    rgb: NDArray[np.uint8]
-    """Colours, (height, width, 3), first row at the top."""
-    depth: NDArray[np.float32]
-    """Metres along the optical axis, (height, width); inf where nothing is. A pane of
-    glass counts as seen, whatever is behind it."""
-    instances: NDArray[np.int32]
-    """Number in `objects` of what each pixel shows, (height, width); -1: nothing."""
-    objects: tuple[SceneObject, ...]
-    """What can be seen in the building."""
-
-    def object_at(self, row: int, column: int) -> SceneObject | None:
-        """Return what a pixel shows; None for the sky."""
-        number = int(self.instances[row, column])
-        return None if number == NOTHING else self.objects[number]
+from memorymaze.physics_engine import mujoco
+from memorymaze.pictures import Looks
+from memorymaze.pictures.rendering import (
+    CameraFrame,
+    RenderedCamera,
+    VisualScene,
+    build_visual_scene,
+)
+from memorymaze.simulation.scene import Scene
 
 
-@dataclass(frozen=True, eq=False)
-class PanoramaFrame:
-    """One look all round. The middle column looks ahead, the middle row is level.
+@lru_cache(maxsize=4)
+def visual_scene_of(scene: Scene, looks: Looks) -> VisualScene:
+    """Return what a physics scene looks like; built once for each scene and looks."""
+    return build_visual_scene(scene.site, scene.movables, looks)
 
-    Column c of W looks to the bearing pi - 2 pi (c + 0.5) / W, left positive; row r of
-    H looks up by pi / 2 - pi (r + 0.5) / H.
+
+@lru_cache(maxsize=4)
+def _camera_of(
+    scene: VisualScene,
+    size: tuple[int, int],
+    horizontal_fov: float,
+    owner: tuple[int, int],
+) -> RenderedCamera:
+    """Return a camera that all robots of a scene share: opening one takes a second.
+
+    Its owner is a process and a thread, which alone may use it.
     """
-
-    rgb: NDArray[np.uint8]
-    """Colours, (height, width, 3)."""
-    distance: NDArray[np.float32]
-    """Metres from the lens, (height, width); inf where nothing is."""
-    instances: NDArray[np.int32]
-    """Number in `objects` of what each pixel shows, (height, width); -1: nothing."""
-    objects: tuple[SceneObject, ...]
-    """What can be seen in the building."""
+    return RenderedCamera(scene, *size, horizontal_fov)
 
 
-class RobotCameras(Protocol):
-    """The cameras on one robot."""
+class SceneCameras:
+    """Cameras of any size, with the things and people that the physics knows of."""
+
+    def __init__(self, scene: Scene, data: mujoco.MjData, looks: Looks) -> None:
+        """Look at a scene; builds its looks where nobody did before."""
+        self._scene = scene
+        self._data = data
+        self._visual = visual_scene_of(scene, looks)
 
     def frame(
         self, pose: Pose, width: int, height: int, horizontal_fov: float
     ) -> CameraFrame:
-        """Take a picture that looks ahead horizontally."""
-        ...
-
-    def panorama(self, pose: Pose, width: int) -> PanoramaFrame:
-        """Look all round."""
-        ...
-
-
-CameraMaker = Callable[[Scene, mujoco.MjData], RobotCameras]
-"""Puts cameras on a robot; called when someone first looks."""
+        """Take a picture; see `RenderedCamera`."""
+        owner = os.getpid(), threading.get_ident()
+        camera = _camera_of(self._visual, (width, height), horizontal_fov, owner)
+        places: dict[str, Pose] = {}
+        for name, row in self._scene.mocap_ids.items():
+            x, y, z = self._data.mocap_pos[row].tolist()
+            if z > 0:  # the others are parked under the floor
+                w, _, _, rise = self._data.mocap_quat[row].tolist()
+                places[name] = Pose(x, y, 2 * math.atan2(rise, w))
+        self._visual.place(places)
+        return camera.frame(pose)

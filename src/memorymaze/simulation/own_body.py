@@ -4,16 +4,15 @@ import math
 import warnings
 from collections import deque
 from collections.abc import Callable
-from typing import Protocol, TypeVar, runtime_checkable
+from typing import NoReturn, Protocol, TypeVar, runtime_checkable
 
 from memorymaze.errors import RenderingError, RobotBodyError
 from memorymaze.geometry.pose import Pose, wrap_angle
 from memorymaze.perception.camera_view import CameraView
+from memorymaze.physics_engine import mujoco
 from memorymaze.robot.sensors_and_motion import OdometryReading, SensorsAndMotion
 from memorymaze.robot.steps import CameraPicture, LidarScan
 from memorymaze.simulation.body import BodyInSite
-from memorymaze.simulation.cameras import RobotCameras
-from memorymaze.simulation.physics_engine import mujoco
 from memorymaze.simulation.scene import Scene
 from memorymaze.simulation.senses.visibility import RayCamera, camera_elsewhere
 from memorymaze.simulation.settings import TIMESTEP, SimulationSettings
@@ -76,15 +75,6 @@ class OwnBody(BodyInSite):
         """Seconds by its clock since the start."""
         return self._read.time - self._first.time
 
-    @property
-    def cameras(self) -> RobotCameras:
-        """Raise `RenderingError`: it takes pictures itself, of what is before it."""
-        raise RenderingError(
-            "expected the simulated robot, whose cameras also look all round and tell "
-            "what each pixel shows, got a body of your own, which takes pictures with "
-            "camera_picture alone; leave --robot out"
-        )
-
     def odometry(self) -> OdometryReading:
         """Return where it is on the plan; where it does not know that, what it believes."""
         if not self.localised:
@@ -110,6 +100,14 @@ class OwnBody(BodyInSite):
         """See `SensorsAndMotion.camera_picture`."""
         return self._asked(
             lambda: self.body.camera_picture(width, height, horizontal_fov)
+        )
+
+    def camera_frame(self, width: int, height: int, horizontal_fov: float) -> NoReturn:
+        """Raise `RenderingError`: nobody knows what its pixels show."""
+        raise RenderingError(
+            "expected the simulated robot, whose camera also tells what each pixel "
+            "shows, got a body of your own, which takes pictures with camera_picture "
+            "alone; leave --robot out"
         )
 
     def rest(self, seconds: float) -> None:

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,11 +13,11 @@ from memorymaze.geometry.trajectory import Trajectory
 from memorymaze.perception.camera_view import CameraView
 from memorymaze.perception.detector import Detector, TruthDetector
 from memorymaze.perception.sign_reading import SignReader, TruthSignReader
+from memorymaze.pictures import OWN, Looks
 from memorymaze.robot.api import MoveEnd, MoveResult
 from memorymaze.robot.asking import Question, seconds_to_say
 from memorymaze.robot.sensors_and_motion import SensorsAndMotion
 from memorymaze.simulation.body import BodyInSite, Collision, SimulatedBody
-from memorymaze.simulation.cameras import CameraFrame, CameraMaker, PanoramaFrame
 from memorymaze.simulation.motion.line_following import follow_line
 from memorymaze.simulation.obstacles.crowd import Person
 from memorymaze.simulation.obstacles.surroundings import NearMiss, ObstacleSurroundings
@@ -32,6 +33,9 @@ from memorymaze.steering.commands import check_speeds
 from memorymaze.steering.driving import TimeIsUp
 from memorymaze.steering.guide_robot import GuideRobot
 from memorymaze.steering.turning_points import TurningPointSource
+
+if TYPE_CHECKING:
+    from memorymaze.pictures.rendering import CameraFrame
 
 
 class SimulatedRobot(GuideRobot):
@@ -54,7 +58,7 @@ class SimulatedRobot(GuideRobot):
         keep_free: Sequence[tuple[float, float]] = (),
         lidar: LidarSettings | None = None,
         odometry: OdometrySettings | None = None,
-        cameras: CameraMaker | None = None,
+        looks: Looks = OWN,
         knows_plan: bool = True,
         body: SensorsAndMotion | None = None,
     ) -> None:
@@ -77,8 +81,8 @@ class SimulatedRobot(GuideRobot):
                 child of `rng` gives the noise.
             odometry: How far its odometry is off, for `turning_points="lidar"`; exact
                 when None. Another child of `rng` gives the noise.
-            cameras: What draws its pictures, such as `memorymaze.pictures.robot_cameras`;
-                None for a robot that takes none.
+            looks: How things look to its camera: `own`, `mesh`, or the path of a GLB file
+                with models.
             knows_plan: Whether it steers by the plan and knows where it is on it. One that
                 does not has its LiDAR and its odometry, as any robot on a body of one's
                 own; `follow` is not for it.
@@ -104,7 +108,7 @@ class SimulatedRobot(GuideRobot):
                 lidar=lidar,
                 odometry=odometry,
                 localised=knows_plan,
-                cameras=cameras,
+                looks=looks,
             )
             if scene.obstacles is not None:
                 placed.surroundings = ObstacleSurroundings(
@@ -257,7 +261,7 @@ class SimulatedRobot(GuideRobot):
 
     def camera_frame(
         self, width: int = 640, height: int = 480, horizontal_fov: float = math.pi / 2
-    ) -> CameraFrame:
+    ) -> "CameraFrame":
         """Draw what the camera sees from where the robot is: colours, depth, ids.
 
         The first call builds the building's looks, which takes seconds.
@@ -270,18 +274,7 @@ class SimulatedRobot(GuideRobot):
         Raises:
             RenderingError: This machine cannot draw; says what to install.
         """
-        return self._body.cameras.frame(self.pose, width, height, horizontal_fov)
-
-    def panorama(self, width: int = 1024) -> PanoramaFrame:
-        """Draw the view all round from the camera's place.
-
-        Args:
-            width: Pixels, even; the picture is half as high.
-
-        Raises:
-            RenderingError: This machine cannot draw; says what to install.
-        """
-        return self._body.cameras.panorama(self.pose, width)
+        return self._body.camera_frame(width, height, horizontal_fov)
 
     @property
     def pose(self) -> Pose:

@@ -4,16 +4,14 @@ Geom groups: 0 floor and ceiling, 1 walls, 2 doors, 3 landmarks, 4 things and pe
 whose places an episode sets, 5 the robot. Only walls and obstacles touch the robot; everything is seen by rays. No OpenGL is needed.
 """
 
-import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
-from shapely import Polygon
-from shapely.geometry.polygon import orient
 
+from memorymaze.physics_engine import about_z, mujoco
 from memorymaze.simulation.motion.clearance import Clearance
 from memorymaze.simulation.motion.kinematic_base import Touchables
 from memorymaze.simulation.motion.straight_ways import StraightWays
@@ -25,34 +23,26 @@ from memorymaze.simulation.motion.wheeled_base import (
 )
 from memorymaze.simulation.obstacles.placing import stretches
 from memorymaze.simulation.obstacles.settings import (
-    Movable,
     ObstacleSettings,
     people,
     things,
 )
 from memorymaze.simulation.obstacles.walking import Walks
-from memorymaze.simulation.physics_engine import mujoco
-from memorymaze.simulation.solids import Solid, door_solid, landmark_solid, walls_around
-from memorymaze.sites.records import Door, Landmark, Site
+from memorymaze.sites.records import Site
+from memorymaze.sites.scene_objects import Movable, SceneObject
+from memorymaze.sites.solids import (
+    Solid,
+    door_solid,
+    landmark_solid,
+    wall_solids,
+    walls_around,
+)
 
 FLOOR_GROUP, WALL_GROUP, DOOR_GROUP, LANDMARK_GROUP = 0, 1, 2, 3
-BALUSTRADE_HEIGHT = 1.1
-"""Height in metres of the wall round a hole over which something hangs."""
 MOVABLE_GROUP = 4
 """Geom group of things and people."""
 PARKED = -30.0
 """Height in metres at which those wait that an episode has no place for."""
-
-
-@dataclass(frozen=True, slots=True)
-class SceneObject:
-    """What a geom of the model stands for."""
-
-    kind: Literal[
-        "floor", "ceiling", "wall", "door", "landmark", "thing", "person", "robot"
-    ]
-    record: Door | Landmark | Movable | None
-    """Its record, of doors and landmarks from the site plan; None for other kinds."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -132,7 +122,7 @@ def build_scene(site: Site, obstacles: ObstacleSettings | None = None) -> Scene:
 
     Walls stand on the boundary of the walkable floor, up to the ceiling; round a hole
     over which something hangs from the ceiling (a globe in an atrium) only a
-    balustrade stands. How high things hang is told in `solids`.
+    balustrade stands. How high things hang is told in `sites.solids`.
 
     Args:
         site: A building that passed the checks of `memorymaze.sites`.
@@ -221,31 +211,6 @@ def _movables(site: Site, obstacles: ObstacleSettings) -> list[Movable]:
     ]
 
 
-def wall_solids(site: Site) -> Iterator[Solid]:
-    """Yield the walls of a site: up to the ceiling, or balustrades round open holes."""
-    open_rings = rings_with_things_above(site)
-    for wall in walls_around(site.walkable_floor):
-        height = site.ceiling_height
-        if wall.ring in open_rings:
-            height = BALUSTRADE_HEIGHT
-        yield Solid(
-            (wall.x, wall.y, height / 2),
-            (wall.half_length, wall.half_thickness, height / 2),
-            wall.heading,
-        )
-
-
-def rings_with_things_above(site: Site) -> set[int]:
-    """Return the holes of the floor (1 is the first) over which something hangs."""
-    hanging = [each.position for each in site.landmarks if each.mount == "ceiling"]
-    holes = orient(site.walkable_floor).interiors
-    return {
-        number
-        for number, hole in enumerate(holes, start=1)
-        if any(Polygon(hole).contains(position) for position in hanging)
-    }
-
-
 def _add_box(body: mujoco.MjsBody, solid: Solid, group: int, *, touches: bool) -> None:
     body.add_geom(
         type=mujoco.mjtGeom.mjGEOM_BOX,
@@ -256,11 +221,6 @@ def _add_box(body: mujoco.MjsBody, solid: Solid, group: int, *, touches: bool) -
         contype=SOLID_CONTACT if touches else 0,
         conaffinity=0,
     )
-
-
-def about_z(heading: float) -> list[float]:
-    """Return a heading as a quaternion, w first."""
-    return [math.cos(heading / 2), 0.0, 0.0, math.sin(heading / 2)]
 
 
 def add_movables(spec: mujoco.MjSpec, movables: Sequence[Movable]) -> None:

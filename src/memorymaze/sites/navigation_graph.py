@@ -28,8 +28,6 @@ from memorymaze.sites.records import Area, Site
 
 CAMERA_HEIGHT = 1.25
 """Metres above the floor."""
-LONGEST_EDGE = 5.0
-"""Metres between two viewpoints that are joined, at most."""
 APART = 0.6
 """Metres: a viewpoint nearer than this to another one is not set."""
 ROBOT_RADIUS = 0.25

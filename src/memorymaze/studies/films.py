@@ -12,9 +12,10 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Literal
 
-from memorymaze.pictures.films import WalkthroughSettings, film_walkthrough
+from memorymaze.pictures.films import WalkthroughSettings
 from memorymaze.pictures.rendering.open_gl import choose_backend
 from memorymaze.simulation.scene import build_scene
+from memorymaze.simulation.walkthrough import film_walkthrough
 from memorymaze.sites.plan import plan_bytes
 from memorymaze.studies.study_file import RouteShown, Study
 from memorymaze.wording import counted

@@ -15,7 +15,6 @@ from memorymaze.errors import (
 )
 from memorymaze.evaluation.guarded_robot import hand_over
 from memorymaze.failures import failure_line
-from memorymaze.pictures import robot_cameras
 from memorymaze.robot.specification import API_NAMES
 from memorymaze.robot.steps import SteppingRobot
 from memorymaze.simulation.robot import SimulatedRobot
@@ -82,9 +81,7 @@ def _museum() -> Callable[[], SteppingRobot]:
     scene = build_scene(load_site("museum_5f"))
     start = scene.site.find_route("R2").start
     settings = SimulationSettings(time_budget=40.0, call_budget=300)
-    return lambda: SimulatedRobot(
-        scene, start, settings, np.random.default_rng(0), cameras=robot_cameras
-    )
+    return lambda: SimulatedRobot(scene, start, settings, np.random.default_rng(0))
 
 
 def _followed(agent: Agent, text: str, robot: SteppingRobot) -> list[str]:

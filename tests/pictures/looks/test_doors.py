@@ -6,8 +6,8 @@ from shapely import LineString
 
 from memorymaze.errors import SettingsError
 from memorymaze.pictures.looks.doors import DOOR_STYLES, is_seen_through, model_for_door
-from memorymaze.simulation.solids import DOOR_HEIGHT, DOOR_PROUD
 from memorymaze.sites.records import Door
+from memorymaze.sites.solids import DOOR_HEIGHT, DOOR_PROUD
 
 
 def door(style: str, width: float = 0.9, **properties: str | None) -> Door:

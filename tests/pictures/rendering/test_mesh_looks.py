@@ -54,10 +54,11 @@ def test_doors_and_things_of_the_plan_are_those_of_the_mesh(
 
     building = mesh_building(site)
 
-    ids = [thing.object.record.id for thing in building.things]
+    things = [mesh for mesh in building if mesh.thing is not None]
+    ids = [each.owner for each in things]
     assert ids == [each.id for each in (*site.doors, *site.landmarks)]
-    assert all(thing.meshes.parts for thing in building.things)
-    assert {kind for kind, _, _ in building.rest} >= {"floor", "wall"}
+    assert all(each.placed.parts for each in things)
+    assert {mesh.kind for mesh in building} >= {"floor", "wall"}
 
 
 def test_a_plain_mesh_has_the_colours_of_its_materials(
@@ -71,9 +72,9 @@ def test_a_plain_mesh_has_the_colours_of_its_materials(
     )
     trimesh.Scene({"room": room}).export(plan.with_suffix(".glb"))
 
-    ((_, placed, _),) = mesh_building(load_site(plan)).rest
+    (seen,) = [mesh for mesh in mesh_building(load_site(plan)) if mesh.thing is None]
 
-    red, green, blue, alpha = placed.parts[0].material.rgba
+    red, green, blue, alpha = seen.placed.parts[0].material.rgba
     assert (green, blue, alpha) == (0, 0, 1)
     assert red == pytest.approx(0.5, abs=0.02)  # 55/255 of the light
 

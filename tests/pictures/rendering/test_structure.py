@@ -55,7 +55,7 @@ def test_an_opening_breaks_the_wall_it_is_in(corridor_site: Site) -> None:
 
 def test_ceilings_are_missing_only_in_the_open_air(two_rooms: Site) -> None:
     def kinds(site: Site) -> set[str]:
-        return {kind for each in structure_of(site).slices for kind, _ in each.meshes()}
+        return {mesh.kind for mesh in structure_of(site).meshes}
 
     outside = replace(
         two_rooms,
@@ -118,10 +118,9 @@ def test_what_dresses_a_wall_has_neither_depth_nor_a_name(corridor_site: Site) -
     bare = replace(corridor_site, doors=(), landmarks=())
     panels = surfaces.panelling(bare.ceiling_height)
     kinds = {
-        kind
-        for each in structure_of(bare).slices
-        for kind, part in each.meshes()
-        if part.material is panels
+        mesh.kind
+        for mesh in structure_of(bare).meshes
+        if mesh.placed.parts[0].material is panels
     }
     assert kinds == {"decal"}
 

@@ -6,6 +6,7 @@ import numpy as np
 from PIL import Image, ImageDraw
 
 from memorymaze.pictures.looks.boards import blank, graded, pixels_of, whole
+from memorymaze.pictures.looks.lettering import Field, write
 from memorymaze.pictures.looks.materials import (
     OCEAN,
     PURE_WHITE,
@@ -17,7 +18,6 @@ from memorymaze.pictures.looks.materials import (
     shade,
 )
 from memorymaze.pictures.tables import read_table
-from memorymaze.simulation.senses.lettering import Field, write
 
 NIGHT: Rgb = (0.04, 0.05, 0.14)
 LAND: Rgb = (0.28, 0.52, 0.24)
@@ -385,16 +385,6 @@ def _small_print(image: Image.Image, field: Field, ink: Rgb, variant: int) -> No
         end = field.left + field.width * rng.uniform(0.65, 1.0)
         draw.rectangle([field.left, y, end, y + step * 0.34], rgb255(ink))
         y += step
-
-
-@cache
-def earth() -> Pixels:
-    """Return the earth's surface to wrap round a ball, (256, 512, 3)."""
-    image = Image.new("RGB", (512, 256), rgb255(OCEAN))
-    _draw_continents(image, whole(image), LAND)
-    draw = ImageDraw.Draw(image)
-    draw.rectangle([0, 0, 512, 9], rgb255(ICE))
-    return pixels_of(image)
 
 
 @cache

@@ -9,6 +9,7 @@ import numpy as np
 from PIL import Image, ImageDraw
 
 from memorymaze.perception.signposts import Arrow, Signpost, signposts
+from memorymaze.pictures.looks.lettering import Field, write
 from memorymaze.pictures.looks.materials import (
     PURE_WHITE,
     SAFETY_GREEN,
@@ -18,7 +19,6 @@ from memorymaze.pictures.looks.materials import (
     mixed,
     rgb255,
 )
-from memorymaze.simulation.senses.lettering import Field, write
 
 PIXELS_PER_METRE = 300
 SMALLEST_PICTURE, LARGEST_PICTURE = 128, 512

@@ -35,8 +35,8 @@ from memorymaze.pictures.looks.shapes import (
     pane,
     span_between,
 )
-from memorymaze.simulation.solids import DOOR_HEIGHT, DOOR_PROUD
 from memorymaze.sites.records import Door
+from memorymaze.sites.solids import DOOR_HEIGHT, DOOR_PROUD
 
 DOUBLE_FROM = 1.35
 """Doorways this wide, metres, have two leaves."""
@@ -295,7 +295,7 @@ def swinging(
         for material, shapes in built(leaf, low, high, hinge).shapes.items():
             for shape in shapes:
                 if door.state == "open":
-                    swung = shape.moved(-FRONT, -at).turned("z", -hinge * AJAR_DEG)
+                    swung = shape.moved(-FRONT, -at).turned(-hinge * AJAR_DEG)
                     shape = swung.moved(-0.06, at - hinge * 0.03)
                 made.add(material, shape)
     if door.state == "open":

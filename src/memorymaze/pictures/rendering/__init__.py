@@ -4,19 +4,10 @@ Holds no looks of single things, and nothing of how a robot moves. No OpenGL is 
 until someone asks for a camera.
 """
 
-from memorymaze.pictures.rendering.camera import Camera, CameraFrame, RenderedCamera
-from memorymaze.pictures.rendering.panorama import PanoramaCamera, PanoramaFrame
+from memorymaze.pictures.rendering.camera import CameraFrame, RenderedCamera
 from memorymaze.pictures.rendering.visual_scene import (
     VisualScene,
     build_visual_scene,
 )
 
-__all__ = [
-    "Camera",
-    "CameraFrame",
-    "PanoramaCamera",
-    "PanoramaFrame",
-    "RenderedCamera",
-    "VisualScene",
-    "build_visual_scene",
-]
+__all__ = ["CameraFrame", "RenderedCamera", "VisualScene", "build_visual_scene"]

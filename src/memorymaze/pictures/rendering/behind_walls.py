@@ -26,7 +26,7 @@ from memorymaze.pictures.rendering.meshes import (
     upright,
     wall_uv,
 )
-from memorymaze.simulation.scene import BALUSTRADE_HEIGHT
+from memorymaze.sites.solids import BALUSTRADE_HEIGHT
 
 RAIL_BOTTOM, RAIL_TOP = 0.12, 0.22
 """Of glass walls: metres of frame below and above the panes."""

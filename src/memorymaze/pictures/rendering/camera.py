@@ -4,13 +4,14 @@ import math
 import os
 import sys
 from collections.abc import Sequence
-from typing import Protocol
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from memorymaze.errors import RenderingError, SettingsError
 from memorymaze.geometry.pose import Pose
+from memorymaze.physics_engine import mujoco
 from memorymaze.pictures.rendering.open_gl import filter_fast, open_context
 from memorymaze.pictures.rendering.sky import SKY_DISTANCE
 from memorymaze.pictures.rendering.visual_scene import (
@@ -19,29 +20,31 @@ from memorymaze.pictures.rendering.visual_scene import (
     SHOWN_GROUP,
     VisualScene,
 )
-from memorymaze.simulation.cameras import CameraFrame
-from memorymaze.simulation.motion.wheeled_base import CAMERA_HEIGHT
-from memorymaze.simulation.physics_engine import mujoco
+from memorymaze.robot.steps import CAMERA_HEIGHT
+from memorymaze.sites.scene_objects import SceneObject
+
+NOTHING = -1
+"""In `instances`: the sky."""
 
 
-class Camera(Protocol):
-    """Something that takes pictures of a building."""
+@dataclass(frozen=True, eq=False)
+class CameraFrame:
+    """One picture of a camera."""
 
-    width: int
-    """Pixels."""
-    height: int
-    """Pixels."""
-    horizontal_fov: float
-    """Radians."""
+    rgb: NDArray[np.uint8]
+    """Colours, (height, width, 3), first row at the top."""
+    depth: NDArray[np.float32]
+    """Metres along the optical axis, (height, width); inf where nothing is. A pane of
+    glass counts as seen, whatever is behind it."""
+    instances: NDArray[np.int32]
+    """Number in `objects` of what each pixel shows, (height, width); -1: nothing."""
+    objects: tuple[SceneObject, ...]
+    """What can be seen in the building."""
 
-    def frame(self, pose: Pose, height: float = CAMERA_HEIGHT) -> CameraFrame:
-        """Take a picture that looks ahead horizontally.
-
-        Args:
-            pose: Where the camera is and which way it looks.
-            height: Of the lens over the floor, metres.
-        """
-        ...
+    def object_at(self, row: int, column: int) -> SceneObject | None:
+        """Return what a pixel shows; None for the sky."""
+        number = int(self.instances[row, column])
+        return None if number == NOTHING else self.objects[number]
 
 
 class RenderedCamera:

@@ -29,8 +29,8 @@ from shapely.geometry.polygon import orient
 
 from memorymaze.pictures.looks.doors import is_seen_through as door_is_seen_through
 from memorymaze.pictures.looks.windows import is_window
-from memorymaze.simulation.solids import door_solid, landmark_solid
 from memorymaze.sites.records import Area, Corridor, Site, TurningPoint
+from memorymaze.sites.solids import door_solid, landmark_solid
 
 BAY = 2.4
 """Metres between lamps; the pictures of floors, walls and ceilings repeat with it."""

@@ -3,7 +3,6 @@
 import math
 from collections import defaultdict
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -15,25 +14,19 @@ from memorymaze.errors import SettingsError
 from memorymaze.pictures.building_mesh import MeshPiece, face_normals, levels, read_mesh
 from memorymaze.pictures.looks.assembly import MeshPart
 from memorymaze.pictures.looks.materials import OPAQUE_FROM, Material
-from memorymaze.pictures.rendering.placed_things import PlacedMeshes, PlacedThing
-from memorymaze.simulation.scene import SceneObject
+from memorymaze.pictures.rendering.meshes import (
+    BuildingMesh,
+    Circle,
+    MeshKind,
+    PlacedMeshes,
+)
 from memorymaze.sites.records import Door, Site
+from memorymaze.sites.scene_objects import SceneObject
 
 LARGEST_TEXTURE = 2048
 """Pixels along a side."""
 LEVEL = 0.9
 """Least share of a piece's mean normal that points up or down in floors and ceilings."""
-
-
-@dataclass(frozen=True)
-class MeshBuilding:
-    """A building's mesh in the plan's frame."""
-
-    things: list[PlacedThing]
-    """The plan's doors and landmarks, in its order; without parts where no node has
-    their id."""
-    rest: list[tuple[str, PlacedMeshes, float]]
-    """All else: `floor`, `ceiling` or `wall`, the meshes, the radius of their circle."""
 
 
 def mesh_of(site: Site) -> Path:
@@ -47,8 +40,11 @@ def mesh_of(site: Site) -> Path:
     return path
 
 
-def mesh_building(site: Site) -> MeshBuilding:
-    """Return how a site's mesh looks."""
+def mesh_building(site: Site) -> list[BuildingMesh]:
+    """Return a site's mesh: what has the id of no door or landmark, then these.
+
+    Without parts are those whose id no node has.
+    """
     path = mesh_of(site)
     found, _ = read_mesh(path, with_looks=True)
     pieces = [piece for piece in found if len(piece.faces)]
@@ -57,20 +53,21 @@ def mesh_building(site: Site) -> MeshBuilding:
     named: defaultdict[str, list[MeshPiece]] = defaultdict(list)
     for piece in pieces:
         named[piece.name].append(piece)
-    things: list[PlacedThing] = []
+    things: list[BuildingMesh] = []
     for record in (*site.doors, *site.landmarks):
-        placed, radius = _placed(named.pop(record.id, ()), floor, materials)
-        seen = SceneObject("door" if isinstance(record, Door) else "landmark", record)
-        things.append(PlacedThing(seen, placed, radius))
-    rest = [
-        (_part_of_building(piece, floor), *_placed([piece], floor, materials))
-        for group in named.values()
-        for piece in group
-    ]
-    return MeshBuilding(things, rest)
+        kind = "door" if isinstance(record, Door) else "landmark"
+        placed, circle = _placed(named.pop(record.id, ()), floor, materials)
+        thing = SceneObject(kind, record)
+        things.append(BuildingMesh(record.id, kind, placed, circle, thing))
+    rest: list[BuildingMesh] = []
+    for piece in (piece for group in named.values() for piece in group):
+        placed, circle = _placed([piece], floor, materials)
+        kind = _part_of_building(piece, floor)
+        rest.append(BuildingMesh(piece.name, kind, placed, circle, shows_sky=True))
+    return [*rest, *things]
 
 
-def _part_of_building(piece: MeshPiece, floor: float) -> str:
+def _part_of_building(piece: MeshPiece, floor: float) -> MeshKind:
     across = face_normals(piece)
     total = float(np.linalg.norm(across, axis=1).sum())
     if np.abs(across[:, 2]).sum() < LEVEL * total:
@@ -80,17 +77,17 @@ def _part_of_building(piece: MeshPiece, floor: float) -> str:
 
 def _placed(
     pieces: Sequence[MeshPiece], floor: float, materials: dict[int, Material]
-) -> tuple[PlacedMeshes, float]:
-    """Return pieces around their middle on the plan, and the radius of their circle."""
+) -> tuple[PlacedMeshes, Circle]:
+    """Return pieces around their middle on the plan, and their circle."""
     if not pieces:
-        return PlacedMeshes(()), 0.0
+        return PlacedMeshes(()), (0.0, 0.0, 0.0)
     corners = np.concatenate([piece.vertices[:, :2] for piece in pieces])
     low, high = corners.min(axis=0), corners.max(axis=0)
     x, y = ((low + high) / 2).tolist()
     parts = [
         _part(piece, piece.vertices - (x, y, floor), materials) for piece in pieces
     ]
-    return PlacedMeshes(parts, x, y), math.dist(low, high) / 2 + 0.1
+    return PlacedMeshes(parts, x, y), (x, y, math.dist(low, high) / 2 + 0.1)
 
 
 def _part(

@@ -1,11 +1,11 @@
-"""Meshes of a building: a builder, slices seen or left out together, wall pieces."""
+"""Meshes of a building: records, a builder, slices seen or left out together, walls."""
 
 import math
 from collections import defaultdict
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
-from typing import Literal
+from typing import Literal, NamedTuple
 
 import numpy as np
 import shapely
@@ -16,8 +16,11 @@ from memorymaze.pictures.looks import surfaces
 from memorymaze.pictures.looks.assembly import MeshPart
 from memorymaze.pictures.looks.materials import Material
 from memorymaze.pictures.rendering.floor_plan import BAY, Hole, WallFace
+from memorymaze.sites.scene_objects import SceneObject
 
 Vector = tuple[float, float, float]
+Circle = tuple[float, float, float]
+"""On the plan: x, y and radius, metres."""
 MeshKind = Literal["floor", "ceiling", "wall", "beyond", "decal"]
 """What a mesh belongs to; `beyond` is seen through glass, `decal` is a mere shade."""
 Uv = Callable[[float, float], tuple[float, float]]
@@ -140,6 +143,43 @@ class MeshBuilder:
         )
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class PlacedMeshes:
+    """Meshes of one thing at one place."""
+
+    parts: Sequence[MeshPart]
+    x: float = 0.0
+    y: float = 0.0
+    z: float = 0.0
+    heading: float = 0.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class BuildingMesh:
+    """A piece of a building, small enough to be left out of pictures unseen."""
+
+    owner: str
+    """Id of the feature of the plan that it is or belongs to; of a piece of a building's own
+    mesh the name that it has there."""
+    kind: MeshKind | Literal["door", "landmark"]
+    placed: PlacedMeshes
+    circle: Circle
+    """What it keeps within on the plan."""
+    thing: SceneObject | None = None
+    """What it is, of a door or a landmark."""
+    shows_sky: bool = False
+    """Whether one may see the sky through it or past it."""
+
+
+class Building(NamedTuple):
+    """What a building looks like, or all of it but its doors and landmarks."""
+
+    meshes: Sequence[BuildingMesh]
+    """Floor with all around it; doors and landmarks, in the plan's order; their shades."""
+    hiding: NDArray[np.float64]
+    """Pieces of wall that hide what is behind, (n, 4): x, y to x, y, metres."""
+
+
 @dataclass(eq=False)
 class Slice:
     """Meshes that are seen or left out together."""
@@ -154,11 +194,17 @@ class Slice:
         default_factory=lambda: defaultdict(MeshBuilder)
     )
 
-    def meshes(self) -> Iterator[tuple[MeshKind, MeshPart]]:
-        """Yield its meshes with what they belong to."""
+    def meshes(self) -> Iterator[BuildingMesh]:
+        """Yield its meshes."""
+        middle = (self.points.min(axis=0) + self.points.max(axis=0)) / 2
+        reach = np.hypot(*(self.points - middle).T).max() + 0.1
+        circle = (float(middle[0]), float(middle[1]), float(reach))
         for (kind, material), builder in self.builders.items():
             if not builder.is_empty:
-                yield kind, builder.part(material)
+                placed = PlacedMeshes((builder.part(material),))
+                yield BuildingMesh(
+                    self.part_of, kind, placed, circle, shows_sky=self.shows_sky
+                )
 
 
 def ceiling_kind(height: float) -> str:

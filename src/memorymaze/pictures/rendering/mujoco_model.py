@@ -7,11 +7,10 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from memorymaze.physics_engine import about_z, mujoco
 from memorymaze.pictures.looks.assembly import MeshPart
 from memorymaze.pictures.looks.materials import Material
-from memorymaze.pictures.rendering.placed_things import PlacedMeshes
-from memorymaze.simulation.physics_engine import mujoco
-from memorymaze.simulation.scene import about_z
+from memorymaze.pictures.rendering.meshes import PlacedMeshes
 
 PALETTE_EDGE = 64
 """Colours along an edge of the palette."""

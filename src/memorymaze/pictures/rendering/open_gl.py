@@ -8,7 +8,7 @@ import os
 from typing import Literal, Protocol
 
 from memorymaze.errors import RenderingError
-from memorymaze.simulation.physics_engine import mujoco
+from memorymaze.physics_engine import mujoco
 
 Backend = Literal["egl", "osmesa"]
 

@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,6 +33,7 @@ from memorymaze.pictures.rendering.floor_plan import (
 )
 from memorymaze.pictures.rendering.meshes import (
     SKIRTING_HEIGHT,
+    Building,
     MeshKind,
     Slice,
     ceiling_kind,
@@ -43,8 +43,8 @@ from memorymaze.pictures.rendering.meshes import (
     wall_uv,
 )
 from memorymaze.pictures.rendering.visibility import hiding_segments
-from memorymaze.simulation.scene import rings_with_things_above
 from memorymaze.sites.records import Site
+from memorymaze.sites.solids import rings_with_things_above
 
 SKIRTING_DEPTH = 0.01
 LONG_WALL = 5.0
@@ -53,16 +53,7 @@ ASIDE = 0.35
 """Metres that panels keep from what is beside them."""
 
 
-@dataclass(frozen=True, eq=False)
-class Structure:
-    """All of a building but its doors and landmarks."""
-
-    slices: list[Slice]
-    hiding: NDArray[np.float64]
-    """Pieces of wall that hide what is behind, (n, 4): x, y to x, y, metres."""
-
-
-def structure_of(site: Site) -> Structure:
+def structure_of(site: Site) -> Building:
     """Build floors, ceilings and walls of a site."""
     parts = floor_parts(site)
     height = site.ceiling_height
@@ -95,7 +86,8 @@ def structure_of(site: Site) -> Structure:
     holes = orient(site.walkable_floor).interiors
     for ring in sorted(open_rings):
         slices.append(shaft(Polygon(holes[ring - 1]), height, f"hole_{ring}"))
-    return Structure(slices, hiding_segments(faces, open_rings, surroundings))
+    meshes = [mesh for made in slices for mesh in made.meshes()]
+    return Building(meshes, hiding_segments(faces, open_rings, surroundings))
 
 
 def empty_stretches(

@@ -3,32 +3,27 @@
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import count
 
 import numpy as np
 from numpy.typing import NDArray
 
 from memorymaze.geometry.pose import Pose
-from memorymaze.pictures.furniture.models import check_looks
-from memorymaze.pictures.kinds_of_looks import Looks
-from memorymaze.pictures.looks.catalogue import model_of
-from memorymaze.pictures.rendering.mesh_looks import mesh_building
-from memorymaze.pictures.rendering.mujoco_model import SpecAssembler
-from memorymaze.pictures.rendering.placed_things import (
+from memorymaze.physics_engine import mujoco
+from memorymaze.pictures.kinds_of_looks import OWN, Looks
+from memorymaze.pictures.looks.catalogue import check_looks, model_of
+from memorymaze.pictures.rendering.building import (
     SHADOW_HEIGHT,
     SHADOW_MARGIN,
-    PlacedMeshes,
-    placed_things,
+    building,
     shadow,
-    shadow_under,
 )
+from memorymaze.pictures.rendering.meshes import Circle, PlacedMeshes
+from memorymaze.pictures.rendering.mujoco_model import SpecAssembler
 from memorymaze.pictures.rendering.sky import FACES, sky_dome, sky_faces
-from memorymaze.pictures.rendering.structure import Structure, structure_of
 from memorymaze.pictures.rendering.visibility import Sightlines
-from memorymaze.simulation.obstacles.settings import Movable
-from memorymaze.simulation.physics_engine import mujoco
-from memorymaze.simulation.scene import SceneObject
-from memorymaze.simulation.solids import landmark_solid
 from memorymaze.sites.records import Site
+from memorymaze.sites.scene_objects import Movable, SceneObject
 
 SHOWN_GROUP, HIDDEN_GROUP = 1, 5
 
@@ -36,13 +31,7 @@ LARGEST_PICTURE = 4096
 """Width and height up to which cameras may draw, pixels."""
 
 FLOOR, CEILING, WALL = 0, 1, 2
-_OWNERS = {
-    "floor": FLOOR,
-    "ceiling": CEILING,
-    "wall": WALL,
-    "beyond": WALL,
-    "decal": FLOOR,
-}
+_OWNERS = {"floor": FLOOR, "ceiling": CEILING, "wall": WALL, "beyond": WALL}
 
 NOWHERE = (1e9, 1e9)
 """Where nothing is ever seen."""
@@ -52,9 +41,6 @@ NOWHERE = (1e9, 1e9)
 class VisualScene:
     """A building for the eye; any number of cameras of one thread share it."""
 
-    site: Site
-    looks: Looks
-    """How things look."""
     model: mujoco.MjModel
     """Only the groups of its geoms change: cameras leave out what cannot be seen."""
     data: mujoco.MjData
@@ -105,14 +91,14 @@ class VisualScene:
 
 
 def build_visual_scene(
-    site: Site, movables: Sequence[Movable] = (), looks: Looks | None = None
+    site: Site, movables: Sequence[Movable] = (), looks: Looks = OWN
 ) -> VisualScene:
     """Build what a site looks like. Takes a second or two; OpenGL is not needed.
 
     Args:
         site: A building that passed the checks of `memorymaze.sites`.
         movables: Things and people that `VisualScene.place` will place.
-        looks: How things look; None for models where they were converted; `mesh` for
+        looks: How things look: `own`, the path of a GLB file with models, or `mesh` for
             the building's own mesh, which stands beside its plan.
     """
     looks = check_looks(looks)
@@ -120,75 +106,58 @@ def build_visual_scene(
     spec.modelname = f"{site.name}_looks"
     add_lights(spec)
     _add_sky(spec)
-    mesh = mesh_building(site) if looks == "mesh" else None
-    structure = structure_of(site) if mesh is None else None
-    slices = () if structure is None else structure.slices
-    things = list(placed_things(site, looks)) if mesh is None else mesh.things
+    made = building(site, looks)
+    things = [mesh.thing for mesh in made.meshes if mesh.thing is not None]
+    numbers = count(WALL + 1)
+    solid = [
+        (mesh, _OWNERS[mesh.kind] if mesh.thing is None else next(numbers))
+        for mesh in made.meshes
+        if mesh.kind != "decal"
+    ]
     builder = _Builder(SpecAssembler(spec))
     outlets: list[int] = []
     for transparent in (False, True):
-        for made in slices:
-            centre, radius = _circle(made.points)
-            for kind, part in made.meshes():
-                if kind != "decal":
-                    # One geom stands for its slice; without any it adds none.
-                    if made.shows_sky and bool(transparent) == part.material.is_clear:
-                        outlets.append(builder.assembler.geom_count)
-                    builder.add(
-                        PlacedMeshes((part,)),
-                        _OWNERS[kind],
-                        centre,
-                        radius,
-                        transparent=transparent,
-                    )
-        for kind, placed, radius in () if mesh is None else mesh.rest:
-            # One may see the sky past any of it.
-            outlets.append(builder.assembler.geom_count)
-            builder.add(
-                placed,
-                _OWNERS[kind],
-                (placed.x, placed.y),
-                radius,
-                transparent=transparent,
-            )
-        for number, (_, placed, radius) in enumerate(things, start=WALL + 1):
-            centre = (placed.x, placed.y)
-            builder.add(placed, number, centre, radius, transparent=transparent)
+        for mesh, owner in solid:
+            first = builder.assembler.geom_count
+            builder.add(mesh.placed, owner, mesh.circle, transparent=transparent)
+            if mesh.shows_sky:
+                outlets += range(first, builder.assembler.geom_count)
     movable_geoms = _add_movables(builder, movables, len(things) + WALL + 1, looks)
     first_decal = builder.assembler.geom_count
-    if structure is not None:
-        _add_decals(builder, structure, site)
+    # A body of their own, for the compiler sorts geoms by body, the ground's first.
+    ground = spec.worldbody.add_body(name="decals")
+    for mesh in made.meshes:
+        if mesh.kind == "decal":
+            builder.add(mesh.placed, FLOOR, mesh.circle, body=ground)
     for each, geoms in zip(movables, movable_geoms, strict=True):
         geoms.append(builder.assembler.geom_count)
         _add_shadow_of(builder, each)
     first_sky = builder.assembler.geom_count
     dome = spec.worldbody.add_body(name="sky")
-    builder.add(PlacedMeshes(sky_dome()), FLOOR, NOWHERE, 0.0, body=dome)
+    builder.add(PlacedMeshes(sky_dome()), FLOOR, (*NOWHERE, 0.0), body=dome)
     builder.assembler.finish()
     model = spec.compile()
     data = mujoco.MjData(model)
+    circles = np.array(builder.circles).reshape(-1, 3)
     mujoco.mj_kinematics(model, data)
     scene = VisualScene(
-        site,
-        looks,
         model,
         data,
         (
             SceneObject("floor", None),
             SceneObject("ceiling", None),
             SceneObject("wall", None),
-            *(thing.object for thing in things),
+            *things,
             *(SceneObject("person" if m.is_person else "thing", m) for m in movables),
         ),
         np.array(builder.owners, dtype=np.int32),
-        np.array(builder.centres).reshape(-1, 2),
-        np.array(builder.radii),
+        circles[:, :2].copy(),
+        circles[:, 2].copy(),
         first_decal,
         first_sky,
         _extent(model, data, first_sky),
         np.array(outlets, dtype=np.intp),
-        # What a mesh hides is not known beforehand.
-        Sightlines(np.empty((0, 4)) if structure is None else structure.hiding),
+        Sightlines(made.hiding),
         np.zeros((model.ngeom - first_sky, 3)),
         {
             each.id: np.array(geoms, dtype=np.intp)
@@ -207,15 +176,13 @@ class _Builder:
     def __init__(self, assembler: SpecAssembler) -> None:
         self.assembler = assembler
         self.owners: list[int] = []
-        self.centres: list[tuple[float, float]] = []
-        self.radii: list[float] = []
+        self.circles: list[Circle] = []
 
     def add(
         self,
         placed: PlacedMeshes,
         owner: int,
-        centre: tuple[float, float],
-        radius: float,
+        circle: Circle,
         *,
         body: mujoco.MjsBody | None = None,
         transparent: bool | None = None,
@@ -224,8 +191,7 @@ class _Builder:
             placed, SHOWN_GROUP, body=body, transparent=transparent
         )
         self.owners += [owner] * count
-        self.centres += [centre] * count
-        self.radii += [radius] * count
+        self.circles += [circle] * count
 
 
 def _add_movables(
@@ -248,8 +214,7 @@ def _add_movables(
         builder.add(
             PlacedMeshes(model.parts),
             first_owner + number,
-            NOWHERE,
-            math.hypot(each.size[0], each.size[1]) / 2,
+            (*NOWHERE, math.hypot(each.size[0], each.size[1]) / 2),
             body=body,
         )
         geoms.append(list(range(before, builder.assembler.geom_count)))
@@ -262,29 +227,11 @@ def _add_shadow_of(builder: _Builder, movable: Movable) -> None:
     body = builder.assembler.spec.worldbody.add_body(name=name, mocap=True)
     radius = math.hypot(half_x, half_y) + SHADOW_MARGIN
     placed = PlacedMeshes((shadow(half_x, half_y),))
-    builder.add(placed, FLOOR, NOWHERE, radius, body=body)
+    builder.add(placed, FLOOR, (*NOWHERE, radius), body=body)
 
 
 def _shadow_of(name: str) -> str:
     return f"{name}/shadow"
-
-
-def _add_decals(builder: _Builder, structure: Structure, site: Site) -> None:
-    # A body of their own, for the compiler sorts geoms by body, the ground's first.
-    ground = builder.assembler.spec.worldbody.add_body(name="decals")
-    for made in structure.slices:
-        centre, radius = _circle(made.points)
-        for kind, part in made.meshes():
-            if kind == "decal":
-                placed = PlacedMeshes((part,))
-                builder.add(placed, FLOOR, centre, radius, body=ground)
-    for landmark in site.landmarks:
-        placed = shadow_under(landmark, site)
-        if placed is None:
-            continue
-        hx, hy, _ = landmark_solid(landmark, site).half_size
-        radius = math.hypot(hx + SHADOW_MARGIN, hy + SHADOW_MARGIN)
-        builder.add(placed, FLOOR, (placed.x, placed.y), radius, body=ground)
 
 
 def _extent(
@@ -294,13 +241,6 @@ def _extent(
     middles = data.geom_xpos[:first_sky, 2] + (boxes[:, :3] * turned).sum(axis=1)
     halves = (boxes[:, 3:] * np.abs(turned)).sum(axis=1)
     return float((middles - halves).min()), float((middles + halves).max())
-
-
-def _circle(points: NDArray[np.float64]) -> tuple[tuple[float, float], float]:
-    low, high = points.min(axis=0), points.max(axis=0)
-    centre = (low + high) / 2
-    radius = float(np.hypot(*(points - centre).T).max())
-    return (float(centre[0]), float(centre[1])), radius + 0.1
 
 
 def add_lights(spec: mujoco.MjSpec) -> None:

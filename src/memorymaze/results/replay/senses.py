@@ -8,12 +8,12 @@ from PIL import Image, ImageDraw
 
 from memorymaze.errors import RunFolderError
 from memorymaze.geometry.pose import turn_between
-from memorymaze.pictures import Looks
+from memorymaze.physics_engine import mujoco
+from memorymaze.pictures import OWN, Looks
 from memorymaze.pictures.rendering.camera import CameraFrame, RenderedCamera
-from memorymaze.pictures.rendering.robot_eyes import visual_scene_of
 from memorymaze.results.replay.page import font_for
 from memorymaze.results.story.moments import Moment, Moments, StorySighting
-from memorymaze.simulation.physics_engine import mujoco
+from memorymaze.simulation.cameras import visual_scene_of
 from memorymaze.simulation.scene import Scene
 from memorymaze.simulation.senses.lidar import Lidar, LidarSettings
 
@@ -42,7 +42,7 @@ class ReplayEyes:
         smooth: bool,
     ) -> None:
         """Open the camera, with smooth edges where there is time for them."""
-        self._looks = visual_scene_of(scene, looks)
+        self._looks = visual_scene_of(scene, looks or OWN)
         unknown = moments.movables - self._looks.movable_geoms.keys()
         if unknown:
             raise RunFolderError(

@@ -14,8 +14,8 @@ from shapely.geometry.base import BaseGeometry
 
 from memorymaze.geometry.points import XY
 from memorymaze.geometry.pose import Pose, wrap_angle
+from memorymaze.physics_engine import mujoco
 from memorymaze.simulation.motion.wheeled_base import WHEEL_OFFSET, WheelErrors
-from memorymaze.simulation.physics_engine import mujoco
 from memorymaze.simulation.settings import TIMESTEP, SimulationSettings
 from memorymaze.steering.settings import ROBOT_RADIUS
 

@@ -10,12 +10,11 @@ from collections.abc import Sequence
 import numpy as np
 
 from memorymaze.geometry.pose import Pose
-from memorymaze.simulation.physics_engine import mujoco
+from memorymaze.physics_engine import mujoco
+from memorymaze.robot.steps import CAMERA_HEIGHT
 from memorymaze.simulation.settings import TIMESTEP, SimulationSettings
 from memorymaze.steering.settings import ROBOT_RADIUS
 
-CAMERA_HEIGHT = 1.25
-"""Metres over the floor; the lens looks ahead from the robot's axis."""
 ROBOT_GROUP = 5
 """Geom group of all parts of the robot."""
 FLOOR_CONTACT, SOLID_CONTACT = 1, 2

@@ -6,10 +6,9 @@ gets past them is in `steering`.
 
 from memorymaze.simulation.obstacles.settings import (
     LEVELS,
-    Movable,
     ObstacleSettings,
     PassersBy,
     parse_obstacles,
 )
 
-__all__ = ["LEVELS", "Movable", "ObstacleSettings", "PassersBy", "parse_obstacles"]
+__all__ = ["LEVELS", "ObstacleSettings", "PassersBy", "parse_obstacles"]

@@ -12,8 +12,8 @@ from shapely import Polygon
 from memorymaze.geometry import polyline
 from memorymaze.geometry.pose import turn_between
 from memorymaze.simulation.motion.clearance import Clearance
-from memorymaze.simulation.obstacles.settings import Movable
 from memorymaze.simulation.obstacles.walking import Avoidance, Disc, Walks
+from memorymaze.sites.scene_objects import Movable
 from memorymaze.steering.detours import make_detours
 from memorymaze.steering.settings import ROBOT_RADIUS
 

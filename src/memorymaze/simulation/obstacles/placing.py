@@ -10,8 +10,8 @@ from shapely import LineString, Point, Polygon
 from shapely.geometry.base import BaseGeometry
 
 from memorymaze.geometry.pose import Pose, moved
-from memorymaze.simulation.obstacles.settings import Movable
 from memorymaze.sites.records import Site, rectangle
+from memorymaze.sites.scene_objects import Movable
 
 PASSAGE = 0.9
 """Metres that stay free beside a thing, on one side at least."""

@@ -7,10 +7,9 @@ from typing import Literal
 
 from memorymaze.errors import SettingsError, did_you_mean
 from memorymaze.options import check_number, parse_options, write_options
+from memorymaze.sites.scene_objects import PERSON, Movable
 from memorymaze.sites.things import ThingKind, thing_kinds
 
-PERSON = "person"
-"""Category of everyone who walks about."""
 PERSON_RADII = (0.27, 0.25, 0.30, 0.26, 0.28)
 """Metres; they take turns."""
 PERSON_HEIGHTS = (1.72, 1.60, 1.84, 1.66, 1.78, 1.55, 1.70)
@@ -30,34 +29,6 @@ LEFT_STANDING = {
     if kind.left_standing
 }
 """Kinds of things that are left standing in corridors, by the names that settings use."""
-
-
-@dataclass(frozen=True, slots=True)
-class Movable:
-    """A thing or a person of a scene; where it is, is a matter of the episode."""
-
-    id: str
-    """Such as `cart-3` or `person-0`."""
-    category: str
-    """Common English noun."""
-    color: str | None
-    """Of a person: of the clothes."""
-    size: tuple[float, float, float]
-    """Length along its front, depth, height; metres. A person is round on the plan."""
-    text: str | None = None
-    """Words written on it."""
-    in_the_middle: bool = False
-    """Whether it may stand in the middle of wide ways."""
-
-    @property
-    def is_person(self) -> bool:
-        """Whether it is a person and no thing."""
-        return self.category == PERSON
-
-    @property
-    def radius(self) -> float:
-        """Half its length, metres; of a person the radius."""
-        return self.size[0] / 2
 
 
 def things(count: int, kinds: Sequence[str]) -> list[Movable]:

@@ -9,13 +9,14 @@ import numpy as np
 from shapely import LineString, Point, Polygon
 
 from memorymaze.geometry.pose import Pose
+from memorymaze.physics_engine import mujoco
 from memorymaze.robot.asking import HEARING_RANGE
 from memorymaze.simulation.motion.clearance import Clearance
 from memorymaze.simulation.obstacles.crowd import Crowd, Person, RobotMotion
 from memorymaze.simulation.obstacles.placing import footprint, place_things
-from memorymaze.simulation.obstacles.settings import Movable, ObstacleSettings
-from memorymaze.simulation.physics_engine import mujoco
+from memorymaze.simulation.obstacles.settings import ObstacleSettings
 from memorymaze.simulation.scene import Scene
+from memorymaze.sites.scene_objects import Movable
 from memorymaze.steering.floor import LANE_STEP
 from memorymaze.steering.settings import ROBOT_RADIUS
 

@@ -11,9 +11,9 @@ import numpy as np
 from memorymaze.errors import SettingsError
 from memorymaze.geometry.points import FloatArray
 from memorymaze.geometry.pose import Pose
+from memorymaze.physics_engine import mujoco
 from memorymaze.robot.steps import LidarScan
 from memorymaze.simulation.motion.wheeled_base import ROBOT_GROUP
-from memorymaze.simulation.physics_engine import mujoco
 from memorymaze.simulation.scene import FLOOR_GROUP, Scene
 from memorymaze.simulation.senses.lidar_settings import LidarSettings
 

@@ -17,10 +17,10 @@ from numpy.typing import NDArray
 from memorymaze.geometry.points import FloatArray
 from memorymaze.perception.appearance import parse_appearance
 from memorymaze.perception.camera_view import ObjectDescription
-from memorymaze.simulation.obstacles.settings import Movable
-from memorymaze.simulation.physics_engine import mujoco
+from memorymaze.physics_engine import mujoco
 from memorymaze.simulation.scene import Scene
 from memorymaze.sites.records import Door, Landmark, Site
+from memorymaze.sites.scene_objects import Movable
 
 SPACING = 0.18
 """Metres between the points that cover a surface, at most."""
@@ -314,7 +314,7 @@ def _letter_height(text: str, width: float, height: float) -> float:
     """Return the height of capitals where a text fills a field; metres."""
     # The font is loaded only where somebody reads.
     from memorymaze.perception.signposts import signposts
-    from memorymaze.simulation.senses.lettering import fitted
+    from memorymaze.pictures.looks.lettering import fitted
 
     posts = signposts(text)
     if width > 2.2 * height:

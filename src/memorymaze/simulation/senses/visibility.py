@@ -15,9 +15,9 @@ from memorymaze.errors import RenderingError
 from memorymaze.geometry.points import FloatArray
 from memorymaze.geometry.pose import Pose
 from memorymaze.perception.camera_view import Draw, VisibleObject, VisibleText
+from memorymaze.physics_engine import mujoco
 from memorymaze.robot.steps import CameraPicture
 from memorymaze.simulation.motion.wheeled_base import ROBOT_GROUP
-from memorymaze.simulation.physics_engine import mujoco
 from memorymaze.simulation.scene import Scene
 from memorymaze.simulation.senses.sight_targets import (
     SightTargets,
