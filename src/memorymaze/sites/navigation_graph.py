@@ -32,6 +32,8 @@ APART = 0.6
 """Metres: a viewpoint nearer than this to another one is not set."""
 ROBOT_RADIUS = 0.25
 """Metres kept from walls and obstacles."""
+LONGEST_EDGE = 5.0
+"""Metres that one may walk between two viewpoints."""
 SHIFT = 1.5
 """Metres a viewpoint is moved to get off an obstacle or a wall."""
 
