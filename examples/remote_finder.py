@@ -20,10 +20,10 @@ from numpy.typing import NDArray
 from PIL import Image
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
 
-from memorymaze.errors import DetectorError
-from memorymaze.options import check_number, check_whole
-from memorymaze.perception import FoundBox
-from memorymaze.server_calls import one_line, within
+from memorymaze.basics.errors import DetectorError
+from memorymaze.basics.options import check_number, check_whole
+from memorymaze.basics.server_calls import one_line, within
+from memorymaze.robot.perception import FoundBox
 
 LONGEST_REPLY = 4_000_000
 """Bytes."""

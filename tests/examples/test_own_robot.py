@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from memorymaze.steering.guide_robot import GuideRobot
+from memorymaze.robot.steering.guide_robot import GuideRobot
 from memorymaze.testing import check_robot
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "own_robot.py"

@@ -11,9 +11,9 @@ import numpy as np
 from memorymaze.agents.agent import Journal
 from memorymaze.agents.notes import AskedNote
 from memorymaze.agents.walking.walker import Walker
-from memorymaze.robot.asking import AskingRobot, Question, way_to
-from memorymaze.routes import RoutePlan
-from memorymaze.understanding import parse_route_description
+from memorymaze.language.plans import RoutePlan
+from memorymaze.language.reading import parse_route_description
+from memorymaze.robot.api.asking import AskingRobot, Question, way_to
 
 AskWhen = Literal["never", "start", "random", "lost", "gain"]
 
