@@ -19,7 +19,6 @@ from memorymaze.language.model import LanguageModel
 from memorymaze.passers_by import FloorKnowledge
 from memorymaze.perception.eyes import Eyes
 from memorymaze.pictures import OWN, Looks
-from memorymaze.pictures.looks.catalogue import check_looks
 from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.own_body import CanBeClosed
 from memorymaze.simulation.robot import SimulatedRobot
@@ -168,6 +167,9 @@ def looks_of_run(
     may_look = "camera" in needs or (agent.is_own and not needs)
     if not (may_look or Eyes(settings.detector, settings.signs).need_pictures):
         return None
+    # Only these runs load the looks of things.
+    from memorymaze.pictures.looks.catalogue import check_looks
+
     return check_looks(settings.looks or OWN)
 
 
