@@ -25,7 +25,7 @@ from memorymaze.pictures.rendering import (
     VisualScene,
     build_visual_scene,
 )
-from memorymaze.robot.steps import CAMERA_HEIGHT
+from memorymaze.robot_size import CAMERA_HEIGHT
 from memorymaze.sites import Site, load_sites
 
 WIDTH, HEIGHT, LABEL = 320, 240, 16

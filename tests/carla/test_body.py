@@ -13,11 +13,11 @@ from memorymaze.errors import RobotBodyError, SettingsError
 from memorymaze.geometry.pose import Pose
 from memorymaze.physics_engine import mujoco
 from memorymaze.robot.sensors_and_motion import SensorsAndMotion
+from memorymaze.robot_size import ROBOT_RADIUS
 from memorymaze.simulation.cameras import SceneCameras
 from memorymaze.simulation.scene import build_scene
 from memorymaze.simulation.senses.lidar import Lidar
 from memorymaze.steering.guide_robot import GuideRobot
-from memorymaze.steering.settings import ROBOT_RADIUS
 from memorymaze.testing import check_robot, check_sensors_and_motion
 
 EAST = Pose(2.0, 0.0, 0.0)

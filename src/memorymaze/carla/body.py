@@ -24,12 +24,13 @@ from memorymaze.exporting.opendrive import opendrive
 from memorymaze.geometry.pose import Pose, wrap_angle
 from memorymaze.options import check_number
 from memorymaze.robot.sensors_and_motion import OdometryReading
-from memorymaze.robot.steps import CAMERA_HEIGHT, CameraPicture, LidarScan
+from memorymaze.robot.steps import CameraPicture, LidarScan
+from memorymaze.robot_size import CAMERA_HEIGHT, ROBOT_RADIUS
 from memorymaze.simulation.motion.kinematic_base import arc_chord, held_back
 from memorymaze.simulation.senses.lidar_settings import LidarSettings
 from memorymaze.simulation.senses.odometry import Odometry
 from memorymaze.sites.records import Site
-from memorymaze.steering.settings import ROBOT_RADIUS, TICK, RobotSettings
+from memorymaze.steering.settings import TICK, RobotSettings
 
 map_of_site = cache(opendrive)
 FRAME_TICKS = round(FRAME / TICK)

@@ -18,14 +18,6 @@ from memorymaze.sites.records import PlanPart, Site
 
 Attributes = Mapping[str, object]
 """What the plan says of a feature, as JSON takes it; nothing stands for null."""
-WORDS = {
-    "floor": "floor",
-    "ceiling": "ceiling",
-    "wall": "wall",
-    "beyond": "beyond",
-    "decal": "shade",
-}
-"""Kinds of what is round a piece of floor."""
 FLOOR_FEATURES = ("corridor", "area", "turning_point")
 """Kinds of features that are floor."""
 
@@ -73,7 +65,7 @@ def named_meshes(site: Site) -> Iterator[NamedMesh]:
     for (owner, kind), meshes in found.items():
         placed = _together(meshes)
         if meshes[0].thing is None:
-            word = WORDS[kind]
+            word = "shade" if kind == "decal" else kind
             name = f"{owner}/{word}"
             of = {"id": name, "kind": word, "part_of": owner}
             yield NamedMesh(name, of, placed)

@@ -14,9 +14,6 @@ from numpy.typing import NDArray
 from memorymaze.geometry.points import FloatArray
 from memorymaze.robot.api import Robot
 
-CAMERA_HEIGHT = 1.25
-"""Metres over the floor; the lens looks ahead from the robot's axis."""
-
 
 @dataclass(frozen=True, eq=False)
 class CameraPicture:

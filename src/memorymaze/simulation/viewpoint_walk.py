@@ -19,6 +19,7 @@ from memorymaze.robot.viewpoints import (
     SeenThing,
     WayOn,
 )
+from memorymaze.robot_size import ROBOT_RADIUS
 from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.simulation.scene import Scene
 from memorymaze.simulation.scene_sentences import (
@@ -29,7 +30,6 @@ from memorymaze.simulation.scene_sentences import (
     view_sentence,
 )
 from memorymaze.sites.navigation_graph import NavigationGraph, Viewpoint
-from memorymaze.steering.settings import ROBOT_RADIUS
 
 THERE = 0.05
 """Metres from a viewpoint within which the robot is on it."""

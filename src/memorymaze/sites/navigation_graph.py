@@ -24,16 +24,11 @@ from shapely.ops import nearest_points
 from memorymaze.errors import SitePlanError
 from memorymaze.geometry.floor import Floor
 from memorymaze.geometry.points import FloatArray
+from memorymaze.robot_size import CAMERA_HEIGHT, ROBOT_RADIUS
 from memorymaze.sites.records import Area, Site
 
-CAMERA_HEIGHT = 1.25
-"""Metres above the floor."""
-LONGEST_EDGE = 5.0
-"""Metres between two viewpoints that are joined, at most."""
 APART = 0.6
 """Metres: a viewpoint nearer than this to another one is not set."""
-ROBOT_RADIUS = 0.25
-"""Metres kept from walls and obstacles."""
 LONGEST_EDGE = 5.0
 """Metres that one may walk between two viewpoints."""
 SHIFT = 1.5

@@ -16,9 +16,9 @@ import numpy as np
 from memorymaze.geometry import polyline
 from memorymaze.geometry.points import FloatArray
 from memorymaze.geometry.pose import Pose, turn_between
+from memorymaze.robot_size import ROBOT_RADIUS
 from memorymaze.steering.detours import SPACING, FreeSpace, make_detours
 from memorymaze.steering.floor import StraightWay
-from memorymaze.steering.settings import ROBOT_RADIUS
 
 LaneEnd = Literal["wall", "obstacle", "done"]
 """What is behind the last station of a lane."""

@@ -4,13 +4,14 @@ import math
 
 from memorymaze.geometry.pose import turn_between, wrap_angle
 from memorymaze.robot.api import DIRECTIONS, Direction, MoveEnd, TurnResult
+from memorymaze.robot_size import ROBOT_RADIUS
 from memorymaze.steering.commands import direction_of, exit_meant
 from memorymaze.steering.detours import FreeSpace
 from memorymaze.steering.driving import DriveEnd, Driver
 from memorymaze.steering.floor import GETS_PAST, LOOK_AROUND, Surroundings
 from memorymaze.steering.lanes import Lane, LaneFollower, plan_lane
 from memorymaze.steering.primitive_motions import drive_on, go_straight, spin_by
-from memorymaze.steering.settings import ROBOT_RADIUS, RobotSettings
+from memorymaze.steering.settings import RobotSettings
 from memorymaze.steering.turning_points import Stay, WayOut
 
 REPLAN_OFFSET = 0.35

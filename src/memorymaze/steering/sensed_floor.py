@@ -18,10 +18,10 @@ from memorymaze.geometry.pose import Pose, turn_between
 from memorymaze.perception.turning_points import WallDirections, without_drop_outs
 from memorymaze.robot.sensors_and_motion import SensorsAndMotion
 from memorymaze.robot.steps import LidarScan
+from memorymaze.robot_size import ROBOT_RADIUS
 from memorymaze.steering.detours import CLEARANCE_RANGE
 from memorymaze.steering.floor import END_GAP, LANE_STEP, StraightWay
 from memorymaze.steering.lanes import MIN_CLEARANCE
-from memorymaze.steering.settings import ROBOT_RADIUS
 from memorymaze.steering.turning_points import LidarTurningPoints
 
 PATIENCE = 15.0

@@ -8,8 +8,6 @@ from memorymaze.robot.api import DETECTION_RANGE
 
 TICK = 0.01
 """Seconds; bodies are driven for multiples of it."""
-ROBOT_RADIUS = 0.25
-"""Metres; everything of the robot stays within this circle around its centre."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,7 +16,7 @@ from memorymaze.pictures.rendering import (
     VisualScene,
     build_visual_scene,
 )
-from memorymaze.robot.steps import CAMERA_HEIGHT
+from memorymaze.robot_size import CAMERA_HEIGHT
 from memorymaze.simulation.motion.wheeled_base import ROBOT_GROUP
 from memorymaze.simulation.obstacles.settings import people
 from memorymaze.simulation.scene import Scene

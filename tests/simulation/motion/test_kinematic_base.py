@@ -9,13 +9,13 @@ from memorymaze.errors import SettingsError
 from memorymaze.evaluation.named_settings import with_choices
 from memorymaze.evaluation.settings import RunSettings
 from memorymaze.geometry.pose import Pose
+from memorymaze.robot_size import ROBOT_RADIUS
 from memorymaze.simulation.body import base_for
 from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.simulation.scene import Scene, build_scene
 from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.sites import Site
-from memorymaze.steering.settings import ROBOT_RADIUS
 
 EXACT = SimulationSettings(motion="kinematic", wheel_noise=0.0)
 

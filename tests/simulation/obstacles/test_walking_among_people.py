@@ -7,12 +7,12 @@ import pytest
 from shapely import Point
 
 from memorymaze.geometry.pose import Pose
+from memorymaze.robot_size import ROBOT_RADIUS
 from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.obstacles.placing import footprint
 from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.simulation.scene import build_scene
 from memorymaze.simulation.settings import SimulationSettings
-from memorymaze.steering.settings import ROBOT_RADIUS
 
 
 def _among_things(site, seed: int) -> SimulatedRobot:

@@ -20,7 +20,7 @@ from memorymaze.pictures.rendering.visual_scene import (
     SHOWN_GROUP,
     VisualScene,
 )
-from memorymaze.robot.steps import CAMERA_HEIGHT
+from memorymaze.robot_size import CAMERA_HEIGHT
 from memorymaze.sites.scene_objects import SceneObject
 
 NOTHING = -1

@@ -31,12 +31,7 @@ LARGEST_PICTURE = 4096
 """Width and height up to which cameras may draw, pixels."""
 
 FLOOR, CEILING, WALL = 0, 1, 2
-_OWNERS = {
-    "floor": FLOOR,
-    "ceiling": CEILING,
-    "wall": WALL,
-    "beyond": WALL,
-}
+_OWNERS = {"floor": FLOOR, "ceiling": CEILING, "wall": WALL, "beyond": WALL}
 
 NOWHERE = (1e9, 1e9)
 """Where nothing is ever seen."""
@@ -46,7 +41,6 @@ NOWHERE = (1e9, 1e9)
 class VisualScene:
     """A building for the eye; any number of cameras of one thread share it."""
 
-    site: Site
     model: mujoco.MjModel
     """Only the groups of its geoms change: cameras leave out what cannot be seen."""
     data: mujoco.MjData
@@ -147,7 +141,6 @@ def build_visual_scene(
     circles = np.array(builder.circles).reshape(-1, 3)
     mujoco.mj_kinematics(model, data)
     scene = VisualScene(
-        site,
         model,
         data,
         (

@@ -17,8 +17,8 @@ from memorymaze.drawing.shapes import (
 from memorymaze.geometry.pose import Pose
 from memorymaze.results.replay.page import font_for
 from memorymaze.results.story.moments import Moment, Moments
+from memorymaze.robot_size import ROBOT_RADIUS
 from memorymaze.sites import Route
-from memorymaze.steering.settings import ROBOT_RADIUS
 
 SMOOTHING = 2
 """Pixels drawn per pixel shown, each way, so that slanted edges are smooth."""

@@ -31,10 +31,9 @@ from memorymaze.results.replay.film import ReplaySettings
 from memorymaze.results.replay.senses import PICTURE_SIZE, ReplayEyes, Scans
 from memorymaze.results.story.moments import Moment, Moments
 from memorymaze.results.story.recorded_episode import RecordedEpisode
-from memorymaze.robot.steps import CAMERA_HEIGHT
+from memorymaze.robot_size import CAMERA_HEIGHT, ROBOT_RADIUS
 from memorymaze.simulation.scene import build_scene
 from memorymaze.sites import Site
-from memorymaze.steering.settings import ROBOT_RADIUS
 
 TIMELINE = "simulated_time"
 CAMERA = "world/robot/camera"

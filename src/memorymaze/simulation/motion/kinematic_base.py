@@ -15,9 +15,9 @@ from shapely.geometry.base import BaseGeometry
 from memorymaze.geometry.points import XY
 from memorymaze.geometry.pose import Pose, wrap_angle
 from memorymaze.physics_engine import mujoco
+from memorymaze.robot_size import ROBOT_RADIUS
 from memorymaze.simulation.motion.wheeled_base import WHEEL_OFFSET, WheelErrors
 from memorymaze.simulation.settings import TIMESTEP, SimulationSettings
-from memorymaze.steering.settings import ROBOT_RADIUS
 
 
 def arc_chord(heading: float, speed: float, turn_rate: float, seconds: float) -> XY:

@@ -11,9 +11,8 @@ import numpy as np
 
 from memorymaze.geometry.pose import Pose
 from memorymaze.physics_engine import mujoco
-from memorymaze.robot.steps import CAMERA_HEIGHT
+from memorymaze.robot_size import CAMERA_HEIGHT, ROBOT_RADIUS
 from memorymaze.simulation.settings import TIMESTEP, SimulationSettings
-from memorymaze.steering.settings import ROBOT_RADIUS
 
 ROBOT_GROUP = 5
 """Geom group of all parts of the robot."""

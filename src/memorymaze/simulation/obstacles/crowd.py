@@ -11,11 +11,11 @@ from shapely import Polygon
 
 from memorymaze.geometry import polyline
 from memorymaze.geometry.pose import turn_between
+from memorymaze.robot_size import ROBOT_RADIUS
 from memorymaze.simulation.motion.clearance import Clearance
 from memorymaze.simulation.obstacles.walking import Avoidance, Disc, Walks
 from memorymaze.sites.scene_objects import Movable
 from memorymaze.steering.detours import make_detours
-from memorymaze.steering.settings import ROBOT_RADIUS
 
 LOOK_AHEAD = 3
 """Points of the way ahead of the nearest one at which a person aims."""

@@ -11,6 +11,7 @@ from shapely import LineString, Point, Polygon
 from memorymaze.geometry.pose import Pose
 from memorymaze.physics_engine import mujoco
 from memorymaze.robot.asking import HEARING_RANGE
+from memorymaze.robot_size import ROBOT_RADIUS
 from memorymaze.simulation.motion.clearance import Clearance
 from memorymaze.simulation.obstacles.crowd import Crowd, Person, RobotMotion
 from memorymaze.simulation.obstacles.placing import footprint, place_things
@@ -18,7 +19,6 @@ from memorymaze.simulation.obstacles.settings import ObstacleSettings
 from memorymaze.simulation.scene import Scene
 from memorymaze.sites.scene_objects import Movable
 from memorymaze.steering.floor import LANE_STEP
-from memorymaze.steering.settings import ROBOT_RADIUS
 
 PEOPLE_MET = 6.0
 """Metres within which people who stand matter to a way round them."""
