@@ -26,7 +26,6 @@ from memorymaze.runs.episodes.settings import AgentSettings, RunDefinition, RunS
 from memorymaze.texts.corpus.records import Episode
 from memorymaze.texts.passers_by import FloorKnowledge
 from memorymaze.world.looks import OWN, Looks
-from memorymaze.world.looks.catalogue import check_looks
 from memorymaze.world.sites import Site
 
 
@@ -168,6 +167,9 @@ def looks_of_run(
     may_look = "camera" in needs or (agent.is_own and not needs)
     if not (may_look or Eyes(settings.detector, settings.signs).need_pictures):
         return None
+    # Only these runs load the looks of things.
+    from memorymaze.world.looks.catalogue import check_looks
+
     return check_looks(settings.looks or OWN)
 
 

@@ -57,8 +57,7 @@ class GlbPrimitive:
 
     vertices: FloatArray
     faces: IntArray
-    normals: FloatArray | None
-    """None: flat faces."""
+    normals: FloatArray
     uv: FloatArray | None
     targets: Mapping[str, FloatArray]
     """By the name of a morph target: how far each vertex goes, (N, 3)."""
@@ -198,6 +197,10 @@ class _Reader:
         }
         vertices = vertices @ linear.T + OURS @ matrix[:3, 3]
         material = self._material(primitive.get("material"))
+        if normals is None:
+            chosen, faces, normals = _flat(vertices, faces)
+            vertices, uv = vertices[chosen], None if uv is None else uv[chosen]
+            targets = {called: shift[chosen] for called, shift in targets.items()}
         return GlbPrimitive(vertices, faces, normals, uv, targets, material)
 
     def _material(self, number: int | None) -> GlbMaterial:
@@ -272,6 +275,23 @@ class _Reader:
         if accessor.get("normalized"):
             rows = np.maximum(rows / np.iinfo(kind).max, -1.0)
         return rows
+
+
+def _flat(
+    vertices: FloatArray, faces: IntArray
+) -> tuple[IntArray, IntArray, FloatArray]:
+    """Give flat faces vertices of their own, shared with those that look the same way.
+
+    Returns the number of the vertex that each comes from, the faces, and the normals.
+    """
+    a, b, c = vertices[faces].transpose(1, 0, 2)
+    across = np.cross(b - a, c - a)
+    across /= np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-12)
+    ways = np.round((across + 1) * 500).astype(np.int64) @ (1, 1001, 1001**2)
+    corners = faces.reshape(-1)
+    keys = corners * 1001**3 + ways.repeat(3)
+    _, first, which = np.unique(keys, return_index=True, return_inverse=True)
+    return corners[first], which.reshape(-1, 3), across.repeat(3, axis=0)[first]
 
 
 def _local(node: _Json) -> FloatArray:

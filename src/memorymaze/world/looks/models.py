@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from memorymaze.basics.errors import SettingsError
-from memorymaze.basics.geometry.points import FloatArray, IntArray
+from memorymaze.basics.geometry.points import FloatArray
 from memorymaze.world.looks.assembly import (
     MeshPart,
     ObjectModel,
@@ -85,7 +85,7 @@ class Surface(NamedTuple):
 
     primitive: GlbPrimitive
     vertices: FloatArray
-    normals: FloatArray | None
+    normals: FloatArray
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -118,8 +118,7 @@ class Mesh:
                 if direction in each.targets:
                     vertices = vertices + step * each.targets[direction]
             vertices = vertices * np.where(has, 1.0, ratio)[[1, 0, 2]]
-            normals = None if each.normals is None else each.normals / ratio[[1, 0, 2]]
-            yield Surface(each, vertices, normals)
+            yield Surface(each, vertices, each.normals / ratio[[1, 0, 2]])
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -263,11 +262,11 @@ def _mesh(
 def model_of_kind(models: Sequence[ThingModel], order: Order) -> ObjectModel:
     """Return a thing as the model shows it that fits it best."""
     model = _fitting(models, order)
-    shown: dict[Material, list[_Piece]] = {}
+    shown: dict[Material, list[Surface]] = {}
     for surface in model.surfaces(order):
         material = _material(surface, order, model.word_parts)
         if material is not None:
-            shown.setdefault(material, []).append(_piece(surface, material))
+            shown.setdefault(material, []).append(surface)
     return _filling(shown, order.size[[1, 0, 2]])
 
 
@@ -370,32 +369,16 @@ def _picture_size(surface: Surface) -> tuple[float, float]:
     return max(round(wide, 3), 0.01), max(round(high, 3), 0.01)
 
 
-class _Piece(NamedTuple):
-    vertices: FloatArray
-    faces: IntArray
-    normals: FloatArray
-    uv: FloatArray | None
-
-
-def _piece(surface: Surface, material: Material) -> _Piece:
-    primitive, vertices, normals = surface
-    faces, uv = primitive.faces, primitive.uv
-    if normals is None:
-        corners = vertices[faces]
-        across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-        vertices, normals = corners.reshape(-1, 3), across.repeat(3, axis=0)
-        uv = None if uv is None else uv[faces].reshape(-1, 2)
-        faces = np.arange(len(vertices)).reshape(-1, 3)
-    is_grain = _stem(primitive.material.name) in GRAINED
-    if material.texture is None:
-        uv = None
-    elif uv is None or is_grain:
-        uv = uv_from_the_sides(vertices, normals)
-    return _Piece(vertices, faces, normals, uv)
+def _uv(surface: Surface) -> FloatArray:
+    """Return where its picture lies: as the file has it, but for grain."""
+    uv = surface.primitive.uv
+    if uv is None or _stem(surface.primitive.material.name) in GRAINED:
+        return uv_from_the_sides(surface.vertices, surface.normals)
+    return uv
 
 
 def _filling(
-    shown: Mapping[Material, Sequence[_Piece]], size: FloatArray
+    shown: Mapping[Material, Sequence[Surface]], size: FloatArray
 ) -> ObjectModel:
     """Return what was put together, stretched to fill its box exactly."""
     points = [piece.vertices for pieces in shown.values() for piece in pieces]
@@ -410,16 +393,13 @@ def _filling(
         normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12)
         starts = np.cumsum([0, *(len(each.vertices) for each in pieces)])
         faces = [
-            each.faces + start for each, start in zip(pieces, starts, strict=False)
+            each.primitive.faces + start
+            for each, start in zip(pieces, starts, strict=False)
         ]
-        uv = [each.uv for each in pieces if each.uv is not None]
+        uv = None
+        if material.texture is not None:
+            uv = np.concatenate([_uv(each) for each in pieces])
         parts.append(
-            read_only_part(
-                vertices,
-                np.concatenate(faces),
-                normals,
-                np.concatenate(uv) if uv else None,
-                material,
-            )
+            read_only_part(vertices, np.concatenate(faces), normals, uv, material)
         )
     return ObjectModel(tuple(parts))
