@@ -16,7 +16,7 @@ from memorymaze.sites import (
 from memorymaze.sites.problems import Rule, SiteProblem
 
 Changed = Callable[[str, str, dict[str, Any]], Path]
-DOCUMENT = Path(__file__).parents[2] / "docs" / "site_plans.md"
+DOCUMENT = Path(__file__).parents[2] / "docs" / "buildings.md"
 SHAPE = "geometry.coordinates"
 REFERENCE = "route_r1_reference"
 ALTERNATIVE = "route_r1_alternative"
