@@ -52,8 +52,8 @@ SOURCES = {
 
 LOOKS = {
     "own": "things as memorymaze makes them itself",
-    "models": "furniture models of Sweet Home 3D (docs/assets.md)",
-    "mesh": "meshes beside the plans (docs/importing.md)",
+    "models": "furniture models of Sweet Home 3D (docs/seeing.md)",
+    "mesh": "meshes beside the plans (docs/seeing.md)",
 }
 CRASHES = 3
 """Kinds of crash that are told of at the end of a run."""
