@@ -1,7 +1,7 @@
 """ROS maps of known floors, as noisy as those that robots make, and what comes back.
 
 `python -m benchmarks.noisy_maps` makes maps of the benchmark's floors and of a made building
-of each kind, imports them and holds the plans against the true ones (docs/importing.md).
+of each kind, imports them and holds the plans against the true ones (docs/lab/importing.md).
 """
 
 import math

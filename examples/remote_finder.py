@@ -5,7 +5,7 @@
         --with detector=examples/remote_finder.py:RemoteFinder,url=http://localhost:8000/
 
 It posts one JSON message a look, `DetectionRequest`, and gets `DetectionReply`. Whatever
-else your server speaks is changed in `find`; docs/perception.md says what a finder must do.
+else your server speaks is changed in `find`; docs/seeing.md says what a finder must do.
 """
 
 import base64

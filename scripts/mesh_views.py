@@ -1,4 +1,4 @@
-"""The picture of docs/importing.md: a site's own looks above, those of its mesh below."""
+"""The picture of docs/seeing.md: a site's own looks above, those of its mesh below."""
 
 import math
 import tempfile

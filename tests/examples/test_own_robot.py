@@ -1,4 +1,4 @@
-"""The body of forty lines that docs/other_robots.md shows."""
+"""The body of forty lines that docs/bodies.md shows."""
 
 import runpy
 from pathlib import Path

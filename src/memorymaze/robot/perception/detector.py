@@ -110,7 +110,7 @@ class TruthDetector:
 
         Args:
             view: One look of the camera.
-            query: Any English words; see `docs/perception.md` for how they are read.
+            query: Any English words; see `docs/seeing.md` for how they are read.
 
         Raises:
             CommandError: The query is longer than any name of a thing.

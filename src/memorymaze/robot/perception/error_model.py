@@ -1,6 +1,6 @@
 """Mistakes of a detector, drawn by chance: misses, confusions and phantoms.
 
-`docs/perception.md` has the formulas. What is drawn depends on the episode's seed, the
+`docs/seeing.md` has the formulas. What is drawn depends on the episode's seed, the
 place looked from, the words asked for and the thing alone: who asks again from the same
 place gets the same mistakes, as from a real detector, and looks in between change none.
 """

@@ -2,7 +2,7 @@
 
 The request may be any English noun phrase; nothing here knows of a building. How it is
 read is in `noun_phrase.py`, what its words mean in `lexicon.py` and `appearance.py`.
-`docs/perception.md` has the rules in prose.
+`docs/seeing.md` has the rules in prose.
 """
 
 import re

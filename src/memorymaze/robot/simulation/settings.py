@@ -34,7 +34,7 @@ class SimulationSettings(RobotSettings):
     scans and odometry)"""
     motion: MovedBy = "physics"
     """what moves the robot: physics (wheels, friction, contacts), or kinematic (it goes for
-    its speeds exactly; faster, for training and benches; docs/simulation.md)"""
+    its speeds exactly; faster, for training and benches; docs/robot.md)"""
 
     def __post_init__(self) -> None:
         """Check every value."""

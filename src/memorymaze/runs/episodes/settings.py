@@ -160,14 +160,14 @@ class RunSettings:
         metadata={"metavar": "LEVEL", "alone": "medium", "reader": parse_obstacles},
     )
     """things and people about: light, medium (alone), heavy; or settings such as
-    things=4,density=1,seed=1. Results are a track of their own (docs/obstacles.md)"""
+    things=4,density=1,seed=1. Results are a track of their own (docs/robot.md)"""
     noise: NoiseSettings | None = field(
         default=None, metadata={"metavar": "LEVEL", "reader": parse_noise}
     )
     """errors of LiDAR and odometry: light or heavy; or some such as lidar_range_noise=0.02,
     or both as in heavy,lidar_drop_out=0. Those of odometry act with turning_points=lidar
     alone, since the robot knows its place on the plan otherwise; those of scans also on
-    agents that take scans (docs/lidar.md)"""
+    agents that take scans (docs/robot.md)"""
     ask: int | None = field(default=None, metadata={"metavar": "N"})
     """the track with people to ask, so many questions; the agent is told the destination's
     name, with 0 that alone, and obstacles are as in medium where none are given
@@ -181,13 +181,13 @@ class RunSettings:
     )
     """whose body: carla, or module:factory, file.py:factory; its options stand behind it
     (NAME,OPTION=VALUE) or are given with --with; the simulated one where none is given
-    (docs/other_robots.md)"""
+    (docs/bodies.md)"""
     detector: DetectorSettings = field(
         default=TRUTH, metadata={"reader": parse_detector}
     )
     """what looks for objects: truth, truth:errors or truth:miss=0.2 (with mistakes),
     grounding-dino:CHECKPOINT,box_threshold=0.35 (a model, from the camera's picture), or
-    your own as module:Class, file.py:Class,OPTION=VALUE; see docs/perception.md"""
+    your own as module:Class, file.py:Class,OPTION=VALUE; see docs/seeing.md"""
     signs: SignSource = "truth"
     """how read_signs reads: truth, or ocr (from the camera's picture)"""
     isolate: bool = False

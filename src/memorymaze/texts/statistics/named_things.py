@@ -60,7 +60,7 @@ class SiteNames:
     def sort_of(self, phrase: str) -> Sort:
         """Return what of the building a noun phrase fits best.
 
-        By the rules of `detect_from_RGB_image` (docs/perception.md) for landmarks,
+        By the rules of `detect_from_RGB_image` (docs/seeing.md) for landmarks,
         doors and rooms; a hallway or place is meant where all words of the phrase, two
         or more, are in its name. Landmarks come before doors and rooms that fit as well.
         """

@@ -376,7 +376,7 @@ def new_study(path: str | Path, site: Site, kind: StudyKind, plan: str) -> None:
     if not names:
         raise SettingsError(
             f"--site {plan}: expected a site with routes, got one without; add routes to "
-            "the plan (docs/site_plans.md)"
+            "the plan (docs/buildings.md)"
         )
     path = Path(path)
     if plan not in BUILTIN_SITE_NAMES:

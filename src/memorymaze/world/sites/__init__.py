@@ -1,7 +1,7 @@
 """Buildings: floor plans as records, how they are loaded, and the rules they keep.
 
 Also navigation graphs made from them. No time passes here, nothing moves, and nothing is
-drawn: see `simulation` and `drawing`. The format is in `docs/site_plans.md`.
+drawn: see `simulation` and `drawing`. The format is in `docs/buildings.md`.
 """
 
 from memorymaze.world.sites.checking import find_site_problems

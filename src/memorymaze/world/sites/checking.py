@@ -1,6 +1,6 @@
 """All rules of the format over one plan, with those of the benchmark's floors.
 
-What each rule means is in `docs/site_plans.md`.
+What each rule means is in `docs/buildings.md`.
 """
 
 import math

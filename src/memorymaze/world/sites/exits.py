@@ -1,7 +1,7 @@
 """The ways out of a turning point, and the shape that they make.
 
 The rule of exits, the plan editor, made floors and imported ones take them from here; in
-words they stand in `docs/site_plans.md`.
+words they stand in `docs/buildings.md`.
 """
 
 import math

@@ -28,7 +28,7 @@ def load_site(site: str | Path) -> records.Site:
 
     Args:
         site: `university`, `museum_5f` or `museum_7f`; else a GeoJSON file in the
-            format of `docs/site_plans.md`.
+            format of `docs/buildings.md`.
 
     Raises:
         SettingsError: There is neither.

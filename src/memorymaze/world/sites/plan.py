@@ -1,4 +1,4 @@
-"""A building written down as a plan, in the format of `docs/site_plans.md`."""
+"""A building written down as a plan, in the format of `docs/buildings.md`."""
 
 import json
 import math

@@ -55,7 +55,7 @@ Rule = Literal[
     "heading-range",
     "known-look",
 ]
-"""Names of the rules; `docs/site_plans.md` explains each in this order."""
+"""Names of the rules; `docs/buildings.md` explains each in this order."""
 
 PLAN = "-"
 """Stands for the plan as a whole where a problem names its feature."""

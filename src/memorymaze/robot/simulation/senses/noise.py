@@ -101,7 +101,7 @@ NOISE_LEVELS = {
         odometry_heading_noise_deg=0.3,
     ),
 }
-"""Settings that have a name; where their values come from is in `docs/lidar.md`."""
+"""Settings that have a name; where their values come from is in `docs/lab/lidar.md`."""
 
 
 def parse_noise(text: str) -> NoiseSettings:
