@@ -2,7 +2,9 @@
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
-INPUTS := pyproject.toml constraints.txt scripts/setup.sh scripts/setup_node_packages.sh
+# The version stands in __init__.py.
+INPUTS := pyproject.toml constraints.txt src/memorymaze/__init__.py scripts/setup.sh \
+	scripts/setup_node_packages.sh
 WORKERS ?= 0
 # Results belong to the code that made them, so each version has a run folder of its own.
 VERSION := $(shell git rev-parse --short HEAD 2>/dev/null || echo release)
@@ -14,11 +16,10 @@ LIMIT ?= 12
 TABLE_TWO ?= runs/table-two-$(VERSION)
 OPTIONS ?=
 
-.PHONY: benchmark table-two test proof test-local-llm check bench setup install clean
+.PHONY: benchmark table-two test proof test-local-llm check wheel-check bench setup install clean
 
 benchmark: install
-	$(BIN)/memorymaze evaluate --agent guide --workers $(WORKERS) --out $(RUN) --resume
-	$(BIN)/memorymaze table $(RUN)
+	$(BIN)/memorymaze benchmark --workers $(WORKERS) --out $(RUN)
 
 # Every method of the paper's Table II, from recorded answers or on a sample with any model,
 # which is asked and then replayed from its replies: that must give the same table. OPTIONS
@@ -59,10 +60,14 @@ test-local-llm: setup
 check: setup
 	$(BIN)/ruff format --check .
 	$(BIN)/ruff check .
-	$(BIN)/codespell README.md CHANGELOG.md docs src tests benchmarks examples scripts
+	$(BIN)/codespell README.md CHANGELOG.md CONTRIBUTING.md docs src tests benchmarks examples scripts
 	$(BIN)/pyright
 	$(BIN)/lint-imports
 	$(BIN)/pytest -n auto
+
+# What a release would hand out, into dist/, and tried in an environment outside of here.
+wheel-check: setup
+	$(BIN)/python scripts/check_release.py
 
 bench: setup
 	$(BIN)/python -m benchmarks
@@ -82,4 +87,4 @@ $(VENV)/.ready: $(INPUTS)
 	touch $@ $(VENV)/.installed
 
 clean:
-	rm -rf $(VENV) runs .pytest_cache .ruff_cache .hypothesis .import_linter_cache
+	rm -rf $(VENV) dist runs .pytest_cache .ruff_cache .hypothesis .import_linter_cache

@@ -4,7 +4,7 @@ Each thing stands in a hall, drawn as a robot's camera sees it, from 3 m or from
 all of it is in the picture, a little from its left. Things that no plan has follow.
 
     python scripts/contact_sheet.py --out docs/images
-    python scripts/contact_sheet.py --furniture    # ours beside converted models
+    python scripts/contact_sheet.py --looks my_things.glb --out sheets
 """
 
 import argparse
@@ -17,10 +17,7 @@ from shapely import Point
 from shapely import box as rectangle
 
 from memorymaze.geometry.pose import Pose
-from memorymaze.pictures import Looks
-from memorymaze.pictures.furniture.models import furniture_for
-from memorymaze.pictures.looks.assembly import Order
-from memorymaze.pictures.looks.catalogue import archetype_of
+from memorymaze.pictures import OWN, Looks
 from memorymaze.pictures.rendering.camera import RenderedCamera
 from memorymaze.pictures.rendering.visual_scene import build_visual_scene
 from memorymaze.sites import load_sites
@@ -30,8 +27,6 @@ from memorymaze.sites.solids import landmark_solid
 CELL, LABEL, GAP = 180, 15, 3
 """Pixels of a picture's side, of the line under it, and between pictures."""
 COLUMNS, ROWS = 9, 7
-PAIRED = 8
-"""Columns of the sheet that has two pictures of each thing."""
 LARGEST_FILE = 300_000
 """Bytes of a picture in the documents."""
 PIXELS = 720
@@ -79,20 +74,12 @@ def main() -> None:
         "--only", default="", metavar="WORDS", help="categories with this in their name"
     )
     parser.add_argument(
-        "--furniture",
-        action="store_true",
-        help="one sheet of our things, each beside its converted furniture model",
+        "--looks", default=OWN, metavar="FILE", help="models of your own (default: own)"
     )
     args = parser.parse_args()
     args.out.mkdir(parents=True, exist_ok=True)
     examples = [each for each in _examples() if args.only in each.category]
-    if args.furniture:
-        examples = [each for each in examples if _is_furniture(each)]
-        pairs = zip(_pictures(examples), _pictures(examples, "models"), strict=True)
-        pictures = [picture for pair in pairs for picture in pair]
-        _save(_sheet(pictures, PAIRED), args.out / "furniture_sheet.png")
-        return
-    pictures = list(_pictures(examples))
+    pictures = list(_pictures(examples, args.looks))
     step = COLUMNS * ROWS
     for number, start in enumerate(range(0, len(pictures), step), start=1):
         sheet = _sheet(pictures[start : start + step])
@@ -107,15 +94,6 @@ def _save(sheet: Image.Image, path: Path) -> None:
         if path.stat().st_size <= LARGEST_FILE:
             break
     print(path)
-
-
-def _is_furniture(thing: Landmark) -> bool:
-    archetype = archetype_of(thing.category)
-    if archetype is None:
-        return False
-    length, depth, height = thing.size
-    order = Order(thing.category, length, depth, height, thing.color, thing.text)
-    return furniture_for(archetype, order) is not None
 
 
 def _examples() -> list[Landmark]:
@@ -137,7 +115,7 @@ def _extra(category: str, size: tuple[float, float, float]) -> Landmark:
     )
 
 
-def _pictures(examples: list[Landmark], looks: Looks = "own") -> Iterator[Image.Image]:
+def _pictures(examples: list[Landmark], looks: Looks) -> Iterator[Image.Image]:
     """Draw each thing in its own bay of one long hall."""
     placed = [_in_bay(thing, number) for number, thing in enumerate(examples)]
     hall = Area(
@@ -214,8 +192,8 @@ def _labelled(picture: Image.Image, words: str) -> Image.Image:
     return cell
 
 
-def _sheet(pictures: list[Image.Image], columns: int = COLUMNS) -> Image.Image:
-    columns = min(columns, len(pictures))
+def _sheet(pictures: list[Image.Image]) -> Image.Image:
+    columns = min(COLUMNS, len(pictures))
     rows = math.ceil(len(pictures) / columns)
     wide, tall = CELL + GAP, CELL + LABEL + GAP
     sheet = Image.new("RGB", (columns * wide, rows * tall), (255, 255, 255))

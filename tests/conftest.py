@@ -2,7 +2,6 @@
 
 import json
 import math
-import os
 import shutil
 from collections.abc import Callable, Generator, Sequence
 from contextlib import ExitStack
@@ -64,9 +63,6 @@ Plan = dict[str, Any]
 
 TINY_SITES = Path(__file__).parent / "tiny_sites"
 TINY_INSTRUCTIONS = Path(__file__).parent / "tiny_instructions.jsonl"
-
-# Furniture models that this user converted must not change what cameras see in tests.
-os.environ["MEMORYMAZE_CACHE"] = str(TINY_SITES / "no-cache")
 
 
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")

@@ -59,7 +59,6 @@ def test_a_setting_with_a_metavar_becomes_an_option_with_its_help() -> None:
         (["--seed", "x"], "--seed: expected a whole number, got 'x'"),
         (["--seed", "-1"], "seed: expected a whole number of at least 0, got -1"),
         (["--with", "signs=OCR"], "--with signs: expected truth or ocr, got 'OCR'"),
-        (["--with", "looks=old"], "--with looks: expected own, models or mesh or none"),
         (["--with", "turning_points=map"], "turning_points: expected annotated or"),
         (["--with", "detector=truht"], "did you mean 'truth'"),
         (["--obstacles", "few"], "obstacles: expected a level (light, medium, heavy)"),

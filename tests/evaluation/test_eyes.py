@@ -133,9 +133,9 @@ def test_an_agent_of_ones_own_that_declares_nothing_may_look_too() -> None:
 
 
 def test_looks_that_are_not_there_are_refused_before_the_run() -> None:
-    with pytest.raises(SettingsError, match="memorymaze sites models"):
+    with pytest.raises(SettingsError, match=r"got 'old\.glb', which is no file here"):
         looks_of_run(
-            AgentSettings("navid"), frozenset({"camera"}), RunSettings(looks="models")
+            AgentSettings("navid"), frozenset({"camera"}), RunSettings(looks="old.glb")
         )
 
 
@@ -144,9 +144,9 @@ def test_the_cameras_of_a_run_show_the_looks_of_its_settings(
 ) -> None:
     corpus = load_corpus([tiny_instructions], sites=tiny_sites_folder)
     first = corpus.episodes[0]
-    arena = Arena(corpus.sites[first.instruction.site], looks="models")
+    arena = Arena(corpus.sites[first.instruction.site], looks="old.glb")
     robot = arena.robot(
         first, SimulationSettings(), np.random.default_rng(0), on_event=lambda _: None
     )
-    with pytest.raises(SettingsError, match="memorymaze sites models"):
+    with pytest.raises(SettingsError, match=r"got 'old\.glb', which is no file here"):
         robot.camera_picture(32, 24)

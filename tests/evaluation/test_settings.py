@@ -27,9 +27,6 @@ from memorymaze.perception.eyes import DetectorSettings
         pytest.param({"success_distance": 0.0}, "more than 0 metres", id="distance"),
         pytest.param({"success_distance": float("nan")}, "got nan", id="nan"),
         pytest.param({"signs": "OCR"}, "one of truth, ocr; got 'OCR'", id="signs"),
-        pytest.param(
-            {"looks": "new"}, "one of own, models, mesh; got 'new'", id="looks"
-        ),
     ],
 )
 def test_a_value_without_meaning_is_refused(

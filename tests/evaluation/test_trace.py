@@ -75,7 +75,7 @@ def test_circles_depths_and_things_without_words_are_written_as_far_as_they_go(
     circle: dict[str, object] = {}
     circle["again"] = circle
     deep: list[object] = []
-    for _ in range(3000):
+    for _ in range(100_000):  # deeper than any Python can write
         deep = [deep]
     keep_trace(
         folder,

@@ -2,6 +2,7 @@ import json
 import math
 import struct
 from collections.abc import Callable
+from importlib.resources import as_file, files
 from pathlib import Path
 from typing import Any
 
@@ -34,6 +35,11 @@ def test_khronos_finds_nothing_wrong_with_a_small_building(
     corridor_glb: Path, gltf_errors: Errors
 ):
     assert gltf_errors(corridor_glb) == []
+
+
+def test_khronos_finds_nothing_wrong_with_the_models_of_things(gltf_errors: Errors):
+    with as_file(files("memorymaze.pictures") / "data" / "things.glb") as path:
+        assert gltf_errors(path) == []
 
 
 def test_khronos_would_find_what_is_wrong(

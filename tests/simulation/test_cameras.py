@@ -31,7 +31,7 @@ from memorymaze.simulation.scene import build_scene
 from memorymaze.sites import load_site
 
 site = load_site("museum_5f")
-robot = SimulatedRobot(build_scene(site), site.reference_route("R1").start)
+robot = SimulatedRobot(build_scene(site), site.find_route("R1").start)
 robot.move_forward(1)
 drawing = "memorymaze.pictures.looks", "memorymaze.pictures.rendering", "OpenGL"
 print([each for each in sys.modules if each.startswith(drawing)])

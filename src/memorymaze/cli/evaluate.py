@@ -208,6 +208,7 @@ def _resuming(arguments: list[str], out: Path) -> str:
     again = list(arguments)
     if not any(part == "--out" or part.startswith("--out=") for part in arguments):
         again += ["--out", str(out)]
-    if "--resume" not in arguments:
+    # `memorymaze benchmark` goes on with whatever is there.
+    if "--resume" not in arguments and "benchmark" not in arguments[:2]:
         again.append("--resume")
     return f"{command_here()} {shlex.join(again)}"

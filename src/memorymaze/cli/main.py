@@ -16,6 +16,7 @@ from memorymaze import __version__
 from memorymaze.cli import (
     agents,
     answers,
+    benchmark,
     compare,
     dataset,
     doctor,
@@ -96,6 +97,7 @@ def command_line() -> argparse.ArgumentParser:
     for verb in (
         navigate,
         try_page,
+        benchmark,
         evaluate,
         table,
         compare,

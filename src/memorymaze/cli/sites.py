@@ -38,7 +38,6 @@ def add_parser(verbs: Verbs) -> None:
     _add_generate(parts)
     _add_check(parts)
     _add_draw(parts)
-    _add_models(parts)
     add_import(parts)
     add_export(parts)
     add_film(parts)
@@ -156,29 +155,6 @@ def _add_draw(verbs: Verbs) -> None:
     parser.set_defaults(run=_draw)
 
 
-def _add_models(verbs: Verbs) -> None:
-    parser = verbs.add_parser(
-        "models",
-        help="convert furniture models for cameras",
-        description=(
-            "Convert the furniture models of Sweet Home 3D (Debian: apt-get install "
-            "sweethome3d-furniture) into the user's cache. From then on cameras show "
-            "them instead of plainer ones of our own; looks=own brings these "
-            "back. Their creators and licences are written beside them. Needs the extra "
-            "[models]; `memorymaze doctor` says how to get it."
-        ),
-        epilog="example: memorymaze sites models",
-    )
-    parser.add_argument(
-        "--from",
-        dest="folder",
-        metavar="DIR",
-        type=Path,
-        help="folder with furniture libraries, *.sh3f (default: where Debian has them)",
-    )
-    parser.set_defaults(run=_models)
-
-
 def _new(args: argparse.Namespace) -> None:
     from memorymaze.durable_files import write_new
     from memorymaze.sites.loading import new_plan
@@ -253,21 +229,6 @@ def _draw(args: argparse.Namespace) -> None:
     out: Path = args.out or Path(f"{Path(site.source).stem}.png")
     draw_site(site, out, routes=args.route or True)
     print(out)
-
-
-def _models(args: argparse.Namespace) -> None:
-    from memorymaze.pictures.furniture.conversion import DEBIAN_FOLDER, build_cache
-    from memorymaze.pictures.furniture.models import cache_folder
-
-    def told(line: str) -> None:
-        print(line, file=sys.stderr)
-
-    made = build_cache(args.folder or DEBIAN_FOLDER, told)
-    kinds = len({each.archetype for each in made})
-    print(
-        f"{counted(len(made), 'model')} for {kinds} kinds of things in {cache_folder()}; "
-        f"creators and licences in {cache_folder() / 'CREDITS.md'}"
-    )
 
 
 def _plans(plan: str) -> list[Path]:

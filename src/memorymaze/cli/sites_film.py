@@ -41,9 +41,10 @@ def add_film(actions: Verbs) -> None:
     )
     parser.add_argument(
         "--looks",
-        choices=("own", "models", "mesh"),
-        help="how things look: own, models (furniture models; see memorymaze sites "
-        "models, and the default where it was called), or mesh (PLAN.glb beside the plan)",
+        default="own",
+        metavar="LOOKS",
+        help="how things look: own, mesh (PLAN.glb beside the plan), or a GLB file with "
+        "models of yours over our own (docs/assets.md)",
     )
     parser.set_defaults(run=_run)
 

@@ -170,8 +170,7 @@ def _draw(job: BuildingFrames) -> dict[str, RowMoments]:
     for file in videos.values():
         file.parent.mkdir(parents=True, exist_ok=True)
     with (
-        # Not the furniture models, which not every machine has.
-        RenderedCamera(build_visual_scene(job.site, looks="own"), *job.size) as camera,
+        RenderedCamera(build_visual_scene(job.site), *job.size) as camera,
         VideoFile(videos[COLOURS], job.size, FPS, frame_videos.COLOURS) as colour_video,
         VideoFile(videos[DEPTH], job.size, FPS, frame_videos.DEPTHS) as depth_video,
     ):

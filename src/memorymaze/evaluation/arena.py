@@ -18,8 +18,8 @@ from memorymaze.language.building import build_language_model
 from memorymaze.language.model import LanguageModel
 from memorymaze.passers_by import FloorKnowledge
 from memorymaze.perception.eyes import Eyes
-from memorymaze.pictures import Looks
-from memorymaze.pictures.furniture.models import check_looks
+from memorymaze.pictures import OWN, Looks
+from memorymaze.pictures.looks.catalogue import check_looks
 from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.own_body import CanBeClosed
 from memorymaze.simulation.robot import SimulatedRobot
@@ -49,16 +49,15 @@ class Arena:
     ) -> None:
         """Stand for a site; nothing is built yet.
 
-        Without eyes, detector and reader of signs know the truth; without looks, things look
-        like models where they were converted; without a model, people one can ask find
-        their words elsewhere; without noise, LiDAR and odometry are exact. Robots are made
-        by `make_robot`, with what `robot` tells it, and have the simulated body or those that
-        `body` makes.
+        Without eyes, detector and reader of signs know the truth; without looks, things have
+        our own; without a model, people one can ask find their words elsewhere; without
+        noise, LiDAR and odometry are exact. Robots are made by `make_robot`, with what
+        `robot` tells it, and have the simulated body or those that `body` makes.
         """
         self.site = site
         self.obstacles = obstacles
         self.eyes = eyes or Eyes()
-        self.looks: Looks | None = looks
+        self.looks: Looks = looks or OWN
         self.people_model = people_model
         self._make_robot = make_robot
         self._body = body
@@ -169,7 +168,7 @@ def looks_of_run(
     may_look = "camera" in needs or (agent.is_own and not needs)
     if not (may_look or Eyes(settings.detector, settings.signs).need_pictures):
         return None
-    return check_looks(settings.looks)
+    return check_looks(settings.looks or OWN)
 
 
 def model_of_people(

@@ -52,7 +52,6 @@ SOURCES = {
 
 LOOKS = {
     "own": "things as memorymaze makes them itself",
-    "models": "furniture models of Sweet Home 3D (docs/assets.md)",
     "mesh": "meshes beside the plans (docs/importing.md)",
 }
 CRASHES = 3
@@ -133,7 +132,8 @@ def sense_notes(
     if settings.simulation.motion == "kinematic":
         yield "KINEMATIC MOTION: the robot goes for its speeds exactly, without physics."
     if settings.looks is not None:
-        yield f"cameras show {LOOKS[settings.looks]}"
+        models = f"models of {settings.looks} (docs/assets.md)"
+        yield f"cameras show {LOOKS.get(settings.looks, models)}"
     metres = settings.simulation.detection_range
     if metres != SimulationSettings().detection_range:
         yield f"things are detected up to {metres:g} m away"

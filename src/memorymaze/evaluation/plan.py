@@ -34,6 +34,7 @@ from memorymaze.instructions.records import Episode
 from memorymaze.language.building import replaying_model
 from memorymaze.language.model_settings import ModelSettings
 from memorymaze.own_code import own_fingerprint
+from memorymaze.pictures import file_of_looks
 from memorymaze.sites import Site
 
 
@@ -84,6 +85,7 @@ def plan_run(
         chosen_agent.needs,
         sites.values(),
     )
+    looks = file_of_looks(definition.looks)
     part = tuple(episodes_of_shard(chosen, settings.shard))
     definition = replace(
         definition,
@@ -95,6 +97,7 @@ def plan_run(
         agent_files=chosen_agent.files(),
         robot_files=() if body is None else body.files(),
         detector_files=own_fingerprint(settings.detector.name),
+        looks_files=() if looks is None else (stamp_file(looks),),
         option_values=chosen_agent.option_values(ready.agent),
     )
     return RunPlan(definition, part, sites, chosen_agent, ready)

@@ -30,6 +30,7 @@ from memorymaze.evaluation.settings import RunDefinition
 from memorymaze.evaluation.worker_pool import LEAVING_TIME, WorkerDied
 from memorymaze.language.answer_files import append_answers
 from memorymaze.own_code import own_files
+from memorymaze.pictures import file_of_looks
 from memorymaze.processes import available_cores
 from memorymaze.wording import counted
 
@@ -268,7 +269,8 @@ class TravellingWorker:
 
     worker: EpisodeWorker
     files: dict[str, bytes]
-    """Contents by place: `agent/…`, `robot/…`, `detector/…`, `replay/…`, `record/…`."""
+    """Contents by place: `agent/…`, `robot/…`, `detector/…`, `looks/…`, `replay/…`,
+    `record/…`."""
 
     def __call__(self) -> Callable[[EpisodeTask], tuple[EpisodeOutcome, bytes]]:
         """Write the files, see that this machine has what the run needs, and prepare.
@@ -292,7 +294,12 @@ class TravellingWorker:
         if model.record is not None:
             recorded = folder / "record" / Path(model.record).name
             model = replace(model, record=str(recorded))
-        settings = replace(settings, agent=replace(agent, language_model=model))
+        looks = settings.looks
+        if file_of_looks(looks) is not None:
+            looks = f"{folder}/looks/{Path(str(looks)).name}"
+        settings = replace(
+            settings, agent=replace(agent, language_model=model), looks=looks
+        )
         brought = {
             role: replace(
                 getattr(settings, role), name=f"{folder}/{role}/{Path(name).name}"
@@ -317,6 +324,9 @@ def pack_files(settings: RunDefinition) -> dict[str, bytes]:
         for role, own in _in_files(settings).items()
         for name, path in own_files(own).items()
     }
+    looks = file_of_looks(settings.looks)
+    if looks is not None:
+        files[f"looks/{looks.name}"] = looks.read_bytes()
     if model.replay is not None:
         files[f"replay/{Path(model.replay).name}"] = Path(model.replay).read_bytes()
     if model.record is not None:

@@ -194,8 +194,8 @@ class RunSettings:
     """run an agent of your own in a process of its own, which has no buildings and cannot
     read plans"""
     looks: Looks | None = None
-    """how things look to cameras: own, models (furniture models; see memorymaze sites
-    models, and the default where it was called), or mesh (PLAN.glb beside the plan)"""
+    """how things look to cameras: own (where none is given), mesh (PLAN.glb beside the
+    plan), or a GLB file with models of yours over our own (docs/assets.md)"""
     wall_limit: float = WALL_LIMIT
     """real time after which an episode is given up as a crash, seconds"""
     simulation: SimulationSettings = field(default_factory=SimulationSettings)
@@ -218,8 +218,6 @@ class RunSettings:
         self._check_body()
         self.simulation.check_motion(as_in_plan=self.obstacles is None)
         check_word("signs", self.signs, SignSource)
-        if self.looks is not None:
-            check_word("looks", self.looks, Looks)
 
     @property
     def track(self) -> Track:
@@ -281,6 +279,8 @@ class RunDefinition(RunSettings):
     """The same of a robot's body."""
     detector_files: tuple[FileStamp, ...] = ()
     """The same of a detector."""
+    looks_files: tuple[FileStamp, ...] = ()
+    """The file with models of a user's own that cameras show."""
     option_values: tuple[tuple[str, str], ...] = ()
     """All options of the agent as it has them, also those that nobody gave."""
     instructions: tuple[FileStamp, ...]
@@ -364,7 +364,7 @@ def _flat(
         elif name == "sites":
             for stamp in part:
                 yield "site", f"site {stamp['name']}", stamp["sha256"][:12]
-        elif name in {"agent_files", "robot_files", "detector_files"}:
+        elif name in {"agent_files", "robot_files", "detector_files", "looks_files"}:
             kind = name.partition("_")[0]
             for stamp in part:
                 told = f"{kind}.file {stamp['name']}"

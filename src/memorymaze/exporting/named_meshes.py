@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from shapely import Polygon
 
+from memorymaze.pictures import OWN
 from memorymaze.pictures.looks.assembly import MeshPart
 from memorymaze.pictures.looks.materials import Material
 from memorymaze.pictures.rendering.building import building
@@ -17,14 +18,6 @@ from memorymaze.sites.records import PlanPart, Site
 
 Attributes = Mapping[str, object]
 """What the plan says of a feature, as JSON takes it; nothing stands for null."""
-WORDS = {
-    "floor": "floor",
-    "ceiling": "ceiling",
-    "wall": "wall",
-    "beyond": "beyond",
-    "decal": "shade",
-}
-"""Kinds of what is round a piece of floor."""
 FLOOR_FEATURES = ("corridor", "area", "turning_point")
 """Kinds of features that are floor."""
 
@@ -58,12 +51,11 @@ class NamedMesh:
 def named_meshes(site: Site) -> Iterator[NamedMesh]:
     """Yield a building: floor with all around it, doors, things, and rooms as places.
 
-    Things look as this project's own code makes them, never as furniture models that
-    carry others' licences.
+    Things have this project's own looks, never models that carry others' licences.
     """
     attributes = feature_attributes(site)
     found: dict[tuple[str, str], list[BuildingMesh]] = defaultdict(list)
-    for mesh in building(site, "own").meshes:
+    for mesh in building(site, OWN).meshes:
         found[mesh.owner, mesh.kind].append(mesh)
     for feature in (*site.corridors, *site.areas, *site.turning_points):
         floor = found.pop((feature.id, "floor"), None)
@@ -73,7 +65,7 @@ def named_meshes(site: Site) -> Iterator[NamedMesh]:
     for (owner, kind), meshes in found.items():
         placed = _together(meshes)
         if meshes[0].thing is None:
-            word = WORDS[kind]
+            word = "shade" if kind == "decal" else kind
             name = f"{owner}/{word}"
             of = {"id": name, "kind": word, "part_of": owner}
             yield NamedMesh(name, of, placed)

@@ -26,7 +26,7 @@ def import_mesh(path: Path) -> ImportedSite:
 
     A point (x, y, z) of a glTF file is (x, -z) on the plan.
     """
-    require_extra("models", "trimesh", purpose="reading meshes")
+    require_extra("mesh", "trimesh", purpose="reading meshes")
     from memorymaze.importing.mesh_features import by_kind, door_line, parts_on
     from memorymaze.importing.mesh_floor import mesh_floor_of
     from memorymaze.pictures.building_mesh import read_mesh

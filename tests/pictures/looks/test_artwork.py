@@ -33,23 +33,6 @@ def test_pictures_are_read_only_and_kept():
     assert not first.flags.writeable
 
 
-def test_the_earth_has_land_and_sea_where_they_are():
-    surface = artwork.earth().astype(int)
-
-    def is_land(north: float, east: float) -> bool:
-        row, column = round((90 - north) / 180 * 255), round((east + 180) / 360 * 511)
-        _, green, blue = surface[row, column]
-        return green > blue
-
-    assert is_land(45, 5)
-    assert is_land(0, 25)
-    assert is_land(-25, 135)
-    assert is_land(40, -100)
-    assert not is_land(0, -150)
-    assert not is_land(-30, 80)
-    assert not is_land(40, -40)
-
-
 def test_a_floor_map_marks_where_one_is():
     plan = artwork.floor_map_picture(
         1.6, 1.2, "You are here", (0.93, 0.93, 0.92), 0

@@ -2,6 +2,7 @@ import itertools
 import math
 from collections import Counter
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,11 +15,12 @@ from memorymaze.pictures.looks.catalogue import (
     archetypes,
     model_for_landmark,
     model_of,
+    models_of,
 )
-from memorymaze.pictures.looks.windows import is_window
+from memorymaze.pictures.looks.models import Order, model_of_kind
+from memorymaze.pictures.looks.windows import WINDOWS, is_window
 from memorymaze.sites import load_sites
 from memorymaze.sites.records import Landmark
-from memorymaze.sites.things import thing_kinds
 
 MOST_TRIANGLES = 1700
 """Of one thing; most have a few hundred."""
@@ -41,6 +43,19 @@ def landmarks() -> list[Landmark]:
     return list(unlike.values())
 
 
+@pytest.fixture(scope="module")
+def nodes() -> list[tuple[str, ObjectModel]]:
+    """Every node of `things.glb` at its own size, and larger in all directions."""
+    shown: list[tuple[str, ObjectModel]] = []
+    for kind, group in models_of("own").items():
+        for number, model in enumerate(group, start=1):
+            for share in (1.0, 1.3):
+                size = (share * model.mesh.size).tolist()
+                order = Order(kind, *size, text="Words" if model.word_parts else None)
+                shown.append((f"{kind}.{number}", model_of_kind([model], order)))
+    return shown
+
+
 def thing(category: str, **properties: object) -> Landmark:
     fields = {
         "id": "thing",
@@ -61,10 +76,6 @@ def corners_of(part: MeshPart) -> np.ndarray:
     return part.vertices[part.faces].astype(float)
 
 
-def test_every_kind_of_thing_that_is_like_no_other_has_a_builder():
-    assert set(archetypes()) == {each.look for each in thing_kinds().values()}
-
-
 def test_models_fill_the_boxes_of_their_landmarks(landmarks: list[Landmark]):
     for landmark in landmarks:
         length, depth, height = landmark.size
@@ -73,17 +84,26 @@ def test_models_fill_the_boxes_of_their_landmarks(landmarks: list[Landmark]):
         assert high == pytest.approx((depth / 2, length / 2, height), abs=0.02)
 
 
-def test_models_are_cheap(landmarks: list[Landmark]):
-    counts = {
-        each.category: model_for_landmark(each).triangle_count for each in landmarks
-    }
+def test_every_kind_has_a_model_and_every_model_is_of_a_kind():
+    assert set(models_of("own")) == (set(archetypes()) - WINDOWS) | {"unknown"}
+
+
+def test_all_kinds_are_told():
+    page = Path("docs/assets.md").read_text(encoding="utf-8")
+    listed = page.partition("These kinds can be shown:")[2].partition("##")[0]
+    kinds = {" ".join(each.split()) for each in listed.strip(" .\n").split(",")}
+    assert kinds == set(archetypes()) - WINDOWS
+
+
+def test_models_are_cheap(nodes: list[tuple[str, ObjectModel]]):
+    counts = {name: model.triangle_count for name, model in nodes}
     assert max(counts.values()) <= MOST_TRIANGLES, max(counts, key=counts.__getitem__)
 
 
-def test_surfaces_are_closed_and_face_outwards(landmarks: list[Landmark]):
-    for landmark in landmarks:
-        for part in model_for_landmark(landmark).parts:
-            assert_closed(part, landmark.category)
+def test_surfaces_are_closed_and_face_outwards(nodes: list[tuple[str, ObjectModel]]):
+    for name, model in nodes:
+        for part in model.parts:
+            assert_closed(part, name)
 
 
 def assert_closed(part: MeshPart, what: str) -> None:
@@ -106,9 +126,11 @@ def assert_closed(part: MeshPart, what: str) -> None:
     assert volume > 0, what
 
 
-def test_normals_are_unit_and_agree_with_their_faces(landmarks: list[Landmark]):
-    for landmark in landmarks:
-        for part in model_for_landmark(landmark).parts:
+def test_normals_are_unit_and_agree_with_their_faces(
+    nodes: list[tuple[str, ObjectModel]],
+):
+    for name, model in nodes:
+        for part in model.parts:
             assert part.normals is not None
             lengths = np.linalg.norm(part.normals, axis=1)
             assert lengths == pytest.approx(np.ones(len(lengths)), abs=1e-4)
@@ -116,17 +138,17 @@ def test_normals_are_unit_and_agree_with_their_faces(landmarks: list[Landmark]):
             across = np.cross(b - a, c - a)
             shown = part.normals[part.faces].mean(axis=1)
             turned = np.einsum("ij,ij->i", across, shown) < -1e-9
-            assert not turned.any(), landmark.category
+            assert not turned.any(), name
 
 
-def test_no_face_lies_twice_in_one_place(landmarks: list[Landmark]):
-    for landmark in landmarks:
-        for part in model_for_landmark(landmark).parts:
+def test_no_face_lies_twice_in_one_place(nodes: list[tuple[str, ObjectModel]]):
+    for name, model in nodes:
+        for part in model.parts:
             seen = Counter(
                 tuple(sorted(map(tuple, np.round(face, 4).tolist())))
                 for face in corners_of(part)
             )
-            assert max(seen.values()) == 1, landmark.category
+            assert max(seen.values()) == 1, name
 
 
 def test_pictures_are_laid_on_within_their_bounds(landmarks: list[Landmark]):

@@ -12,6 +12,7 @@ FORMATS = {
     "csv": "one row per instruction",
     "parquet": "one row per instruction",
 }
+HUB = "the shipped texts as a folder for dataset hubs, with a card"
 
 
 def add_parser(actions: Verbs) -> None:
@@ -20,7 +21,7 @@ def add_parser(actions: Verbs) -> None:
     outward = actions.add_parser(
         "export",
         help="write instructions as R2R, VLN-CE, CSV or Parquet",
-        description=f"Write instructions in another format. {formats}.",
+        description=f"Write instructions in another format. {formats}; hub: {HUB}.",
         epilog="example: memorymaze instructions export --format vln_ce --out vln_ce",
     )
     add_files(outward)
@@ -54,19 +55,32 @@ def add_parser(actions: Verbs) -> None:
         help="who wrote the texts; for R2R and VLN-CE files made elsewhere",
     )
     inward.set_defaults(run=_import)
-    for action in (outward, inward):
-        action.add_argument("--format", choices=FORMATS, required=True)
+    for action, choices in ((outward, [*FORMATS, "hub"]), (inward, FORMATS)):
+        action.add_argument("--format", choices=choices, required=True)
         add_sites_option(action)
 
 
 def _export(options: argparse.Namespace) -> None:
+    from memorymaze.errors import SettingsError
     from memorymaze.instructions import load_corpus
-    from memorymaze.instructions.exchange import write_r2r, write_vln_ce
+    from memorymaze.instructions.exchange import (
+        write_hub_folder,
+        write_r2r,
+        write_vln_ce,
+    )
     from memorymaze.instructions.spreadsheets import write_spreadsheet
 
+    if options.format == "hub" and (options.files or options.sites):
+        raise SettingsError(
+            "--format hub: expected neither files nor --sites, since its card tells how "
+            "the shipped texts came to be; write yours with --format parquet, and a card "
+            "of your own"
+        )
     corpus = load_corpus(options.files or None, sites=options.sites)
     read, sites = corpus.instructions, corpus.sites
-    if options.format in {"csv", "parquet"}:
+    if options.format == "hub":
+        written = write_hub_folder(options.out)
+    elif options.format in {"csv", "parquet"}:
         written = [Path(options.out)]
         write_spreadsheet(options.out, read, options.format)
     else:

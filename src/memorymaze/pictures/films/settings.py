@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from memorymaze.errors import SettingsError
 from memorymaze.pictures.films.video_file import check_picture, check_ranges
-from memorymaze.pictures.kinds_of_looks import Looks
+from memorymaze.pictures.kinds_of_looks import OWN, Looks
 
 EYE_HEIGHT = 1.6
 """Metres over the floor: eyes of somebody who walks, or a camera held there."""
@@ -33,8 +33,8 @@ class WalkthroughSettings:
     """Radians; of no meaning in a panorama."""
     multisamples: int = 4
     """Samples per pixel that smooth edges; of no meaning in a panorama."""
-    looks: Looks | None = None
-    """How things look: `own` or `models`; None for models where they were converted."""
+    looks: Looks = OWN
+    """How things look: `own`, `mesh`, or the path of a GLB file with models."""
 
     @property
     def pixels(self) -> tuple[int, int]:

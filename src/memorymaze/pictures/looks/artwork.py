@@ -388,16 +388,6 @@ def _small_print(image: Image.Image, field: Field, ink: Rgb, variant: int) -> No
 
 
 @cache
-def earth() -> Pixels:
-    """Return the earth's surface to wrap round a ball, (256, 512, 3)."""
-    image = Image.new("RGB", (512, 256), rgb255(OCEAN))
-    _draw_continents(image, whole(image), LAND)
-    draw = ImageDraw.Draw(image)
-    draw.rectangle([0, 0, 512, 9], rgb255(ICE))
-    return pixels_of(image)
-
-
-@cache
 def world_map_picture(
     width: float, height: float, text: str, sea: Rgb, land: Rgb
 ) -> Pixels:

@@ -3,23 +3,27 @@
 What is no known kind of thing gets a box with its name on it.
 """
 
-import re
 import zlib
-from collections.abc import Callable
+from collections.abc import Mapping, Sequence
 from functools import cache
-from importlib import import_module
+from importlib.resources import as_file, files
+from pathlib import Path
 
-from memorymaze.pictures.furniture.models import furniture_for
-from memorymaze.pictures.kinds_of_looks import Looks
-from memorymaze.pictures.looks.assembly import Assembly, ObjectModel, Order
-from memorymaze.pictures.looks.bins_and_barriers import placeholder
-from memorymaze.pictures.looks.windows import is_window, window_model
-from memorymaze.pictures.tables import read_table
+from memorymaze.errors import SettingsError
+from memorymaze.pictures.kinds_of_looks import MESH, OWN, Looks, file_of_looks
+from memorymaze.pictures.looks.assembly import ObjectModel
+from memorymaze.pictures.looks.models import (
+    Order,
+    ThingModel,
+    model_of_kind,
+    read_models,
+)
+from memorymaze.pictures.looks.windows import WINDOWS, window_model
 from memorymaze.sites.records import Landmark, Mount
-from memorymaze.sites.things import kind_of_thing
+from memorymaze.sites.things import kind_of_thing, thing_kinds
 
-Builder = Callable[[Assembly, Order], None]
-"""Puts a thing of a size, colour and text together."""
+UNKNOWN = "unknown"
+"""The node that shows what no kind is known of."""
 VARIANTS = 6
 """Things of one kind, size, colour and text come in at most so many looks."""
 WITH_PICTURES = frozenset({
@@ -30,14 +34,13 @@ WITH_PICTURES = frozenset({
 
 
 @cache
-def archetypes() -> dict[str, str]:
-    """Return the file of `looks` with the builder of each kind that has a look."""
-    table = read_table("archetypes.json", dict[str, tuple[str, ...]])
-    return {name: module for module, names in table.items() for name in names}
+def archetypes() -> frozenset[str]:
+    """Return the names of all kinds that have a look of their own."""
+    return frozenset(kind.look for kind in thing_kinds().values())
 
 
 def archetype_of(category: str) -> str | None:
-    """Return the archetype of a category of a site plan, a key of `archetypes`.
+    """Return the archetype of a category of a site plan, one of `archetypes`.
 
     None for a category that nothing is known of, which is shown as a box with its name.
     """
@@ -45,13 +48,11 @@ def archetype_of(category: str) -> str | None:
     return None if kind is None else kind.look
 
 
-def model_for_landmark(landmark: Landmark, looks: Looks = "own") -> ObjectModel:
+def model_for_landmark(landmark: Landmark, looks: Looks = OWN) -> ObjectModel:
     """Return how a landmark looks.
 
     Landmarks that differ in nothing one sees share one model.
     """
-    if is_window(landmark):
-        return window_model(landmark)
     number = zlib.crc32(landmark.id.encode())
     pictured = archetype_of(landmark.category) in WITH_PICTURES
     return model_of(
@@ -76,7 +77,7 @@ def model_of(
     name: str | None = None,
     mount: Mount = "floor",
     variant: int = 0,
-    looks: Looks = "own",
+    looks: Looks = OWN,
 ) -> ObjectModel:
     """Return how a thing looks that no plan has, such as a box left in the way.
 
@@ -84,35 +85,51 @@ def model_of(
     usual colour; a proper name may say what it shows; the variant is one of several
     looks.
     """
-    length, depth, height = size
-    order = Order(
-        category,
-        length,
-        depth,
-        height,
-        colour_words,
-        text or None,
-        name,
-        mount,
-        variant,
-    )
-    if looks == "models":
-        archetype = archetype_of(category)
-        piece = None if archetype is None else furniture_for(archetype, order)
-        if piece is not None:
-            return piece
-    made = Assembly()
-    _builder(order)(made, order)
-    return made.model(length, depth, height)
+    order = Order(category, *size, colour_words, text or None, name, mount, variant)
+    kind = _kind_of(order)
+    if kind in WINDOWS:
+        return window_model(category, size, text)
+    models = models_of(looks).get(kind) or models_of(OWN)[kind]
+    return model_of_kind(models, order)
 
 
-def _builder(order: Order) -> Builder:
+def check_looks(looks: Looks) -> Looks:
+    """Refuse looks that there are not, or a file that holds no models."""
+    file = file_of_looks(looks)
+    if file is not None:
+        if not file.is_file():
+            raise SettingsError(
+                f"looks: expected {OWN}, {MESH}, or the path of a GLB file with models, "
+                f"got {looks!r}, which is no file here"
+            )
+        models_of(looks)
+    return looks
+
+
+def models_of(looks: Looks) -> Mapping[str, Sequence[ThingModel]]:
+    """Return the models that one may choose for looks, by kind."""
+    path = file_of_looks(looks)
+    if path is None:
+        with as_file(files("memorymaze.pictures") / "data" / "things.glb") as path:
+            return _models_in(path)
+    return _models_in(path.resolve())
+
+
+@cache
+def _models_in(path: Path) -> Mapping[str, Sequence[ThingModel]]:
+    return read_models(path, _kind_of_node)
+
+
+def _kind_of_node(name: str) -> str | None:
+    return UNKNOWN if name == UNKNOWN else archetype_of(name)
+
+
+def _kind_of(order: Order) -> str:
     archetype = archetype_of(order.category)
     if archetype is None:
-        return placeholder
+        return UNKNOWN
     if archetype == "sign" and order.mount == "ceiling":
-        archetype = "hanging sign"
-    elif archetype == "sign" and order.mount == "floor" and order.depth > 0.2:
-        archetype = "A-frame"
-    module = import_module(f"memorymaze.pictures.looks.{archetypes()[archetype]}")
-    return getattr(module, re.sub(r"[ -]", "_", archetype.lower()))
+        return "hanging sign"
+    if archetype == "sign" and order.mount == "floor" and order.depth > 0.2:
+        return "A-frame"
+    return archetype

@@ -295,7 +295,7 @@ def swinging(
         for material, shapes in built(leaf, low, high, hinge).shapes.items():
             for shape in shapes:
                 if door.state == "open":
-                    swung = shape.moved(-FRONT, -at).turned("z", -hinge * AJAR_DEG)
+                    swung = shape.moved(-FRONT, -at).turned(-hinge * AJAR_DEG)
                     shape = swung.moved(-0.06, at - hinge * 0.03)
                 made.add(material, shape)
     if door.state == "open":

@@ -1,7 +1,7 @@
 """How surfaces look: colours and their words, paints, wood, metal and glass."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 
@@ -17,60 +17,13 @@ DULL, POLISHED = 0.1, 0.5
 """The two degrees of shininess of paints: few, so that they can be drawn at once."""
 OPAQUE_FROM = 0.999
 """Alpha from which on nothing is seen through."""
-ALUMINIUM: Rgb = (0.68, 0.7, 0.72)
-ANTHRACITE: Rgb = (0.13, 0.13, 0.15)
-BASALT: Rgb = (0.13, 0.14, 0.16)
-BEECH: Rgb = (0.72, 0.54, 0.35)
-BLACK: Rgb = (0.1, 0.1, 0.11)
-BLUE: Rgb = (0.2, 0.33, 0.55)
 CHALK: Rgb = (0.93, 0.93, 0.92)
-CHARCOAL: Rgb = (0.14, 0.14, 0.15)
-CHESTNUT: Rgb = (0.66, 0.46, 0.28)
-CHROME: Rgb = (0.72, 0.73, 0.75)
-COAL: Rgb = (0.14, 0.14, 0.16)
-DARK_GREY: Rgb = (0.32, 0.34, 0.37)
-EBONY: Rgb = (0.07, 0.07, 0.08)
-ELM: Rgb = (0.66, 0.48, 0.3)
-GRAPHITE: Rgb = (0.16, 0.17, 0.19)
 INK: Rgb = (0.12, 0.12, 0.14)
-IRON: Rgb = (0.66, 0.68, 0.7)
-JET: Rgb = (0.08, 0.08, 0.09)
 LEAD: Rgb = (0.16, 0.17, 0.18)
-LIMESTONE: Rgb = (0.9, 0.9, 0.88)
-OAK: Rgb = (0.7, 0.52, 0.33)
 OCEAN: Rgb = (0.14, 0.36, 0.66)
-PALE_GREY: Rgb = (0.9, 0.9, 0.9)
-PITCH: Rgb = (0.07, 0.06, 0.06)
-PORCELAIN: Rgb = (0.95, 0.95, 0.94)
 PURE_WHITE: Rgb = (1.0, 1.0, 1.0)
-RED: Rgb = (0.78, 0.15, 0.12)
-RUBBER: Rgb = (0.09, 0.09, 0.1)
 SAFETY_GREEN: Rgb = (0.0, 0.48, 0.24)
-SEA: Rgb = (0.1, 0.4, 0.62)
-SHALE: Rgb = (0.2, 0.21, 0.23)
-SIGNAL_RED: Rgb = (0.78, 0.08, 0.08)
-SLATE: Rgb = (0.2, 0.2, 0.22)
-SNOW: Rgb = (0.96, 0.96, 0.95)
-SOOT: Rgb = (0.15, 0.15, 0.16)
 STEEL: Rgb = (0.7, 0.71, 0.73)
-STONE: Rgb = (0.6, 0.59, 0.56)
-WHITE: Rgb = (0.93, 0.93, 0.93)
-SPINES: tuple[Rgb, ...] = (
-    (0.55, 0.13, 0.13),
-    (0.13, 0.28, 0.5),
-    (0.15, 0.4, 0.25),
-    (0.78, 0.68, 0.45),
-    (0.25, 0.2, 0.35),
-    (0.85, 0.83, 0.78),
-)
-PRINTS: tuple[Rgb, ...] = (
-    (0.8, 0.25, 0.2),
-    (0.2, 0.45, 0.75),
-    (0.95, 0.8, 0.3),
-    (0.3, 0.6, 0.4),
-    (0.6, 0.35, 0.65),
-    (0.9, 0.9, 0.86),
-)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -164,6 +117,15 @@ def ink_on(ground: Rgb) -> Rgb:
 def rgb255(colour: Rgb) -> tuple[int, int, int]:
     """Return a colour in whole numbers up to 255."""
     red, green, blue = (round(255 * min(max(each, 0.0), 1.0)) for each in colour)
+    return red, green, blue
+
+
+def srgb(light: Sequence[float]) -> Rgb:
+    """Return a colour from shares of light, which formats of meshes have."""
+    red, green, blue = (
+        12.92 * each if each <= 0.0031308 else 1.055 * each ** (1 / 2.4) - 0.055
+        for each in light
+    )
     return red, green, blue
 
 

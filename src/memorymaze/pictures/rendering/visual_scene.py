@@ -10,9 +10,8 @@ from numpy.typing import NDArray
 
 from memorymaze.geometry.pose import Pose
 from memorymaze.physics_engine import mujoco
-from memorymaze.pictures.furniture.models import check_looks
-from memorymaze.pictures.kinds_of_looks import Looks
-from memorymaze.pictures.looks.catalogue import model_of
+from memorymaze.pictures.kinds_of_looks import OWN, Looks
+from memorymaze.pictures.looks.catalogue import check_looks, model_of
 from memorymaze.pictures.rendering.building import (
     SHADOW_HEIGHT,
     SHADOW_MARGIN,
@@ -32,12 +31,7 @@ LARGEST_PICTURE = 4096
 """Width and height up to which cameras may draw, pixels."""
 
 FLOOR, CEILING, WALL = 0, 1, 2
-_OWNERS = {
-    "floor": FLOOR,
-    "ceiling": CEILING,
-    "wall": WALL,
-    "beyond": WALL,
-}
+_OWNERS = {"floor": FLOOR, "ceiling": CEILING, "wall": WALL, "beyond": WALL}
 
 NOWHERE = (1e9, 1e9)
 """Where nothing is ever seen."""
@@ -47,7 +41,6 @@ NOWHERE = (1e9, 1e9)
 class VisualScene:
     """A building for the eye; any number of cameras of one thread share it."""
 
-    site: Site
     model: mujoco.MjModel
     """Only the groups of its geoms change: cameras leave out what cannot be seen."""
     data: mujoco.MjData
@@ -98,14 +91,14 @@ class VisualScene:
 
 
 def build_visual_scene(
-    site: Site, movables: Sequence[Movable] = (), looks: Looks | None = None
+    site: Site, movables: Sequence[Movable] = (), looks: Looks = OWN
 ) -> VisualScene:
     """Build what a site looks like. Takes a second or two; OpenGL is not needed.
 
     Args:
         site: A building that passed the checks of `memorymaze.sites`.
         movables: Things and people that `VisualScene.place` will place.
-        looks: How things look; None for models where they were converted; `mesh` for
+        looks: How things look: `own`, the path of a GLB file with models, or `mesh` for
             the building's own mesh, which stands beside its plan.
     """
     looks = check_looks(looks)
@@ -148,7 +141,6 @@ def build_visual_scene(
     circles = np.array(builder.circles).reshape(-1, 3)
     mujoco.mj_kinematics(model, data)
     scene = VisualScene(
-        site,
         model,
         data,
         (

@@ -9,7 +9,7 @@ from PIL import Image, ImageDraw
 from memorymaze.errors import RunFolderError
 from memorymaze.geometry.pose import turn_between
 from memorymaze.physics_engine import mujoco
-from memorymaze.pictures import Looks
+from memorymaze.pictures import OWN, Looks
 from memorymaze.pictures.rendering.camera import CameraFrame, RenderedCamera
 from memorymaze.results.replay.page import font_for
 from memorymaze.results.story.moments import Moment, Moments, StorySighting
@@ -42,7 +42,7 @@ class ReplayEyes:
         smooth: bool,
     ) -> None:
         """Open the camera, with smooth edges where there is time for them."""
-        self._looks = visual_scene_of(scene, looks)
+        self._looks = visual_scene_of(scene, looks or OWN)
         unknown = moments.movables - self._looks.movable_geoms.keys()
         if unknown:
             raise RunFolderError(
