@@ -2,7 +2,7 @@
 
 `python -m benchmarks` runs all, `python -m benchmarks --only NAME` one. A benchmark is
 a file here with `run() -> list[Row]` and one line in `BENCHMARKS`. What measures agents, or
-texts, by many walks or words is run by itself: `arrival` and `repair` (docs/benches.md),
+texts, by many walks or words is run by itself: `arrival` and `repair` (docs/lab/benches.md),
 `made_texts`, `same_walks`. What CARLA's reader makes of exported sites is `opendrive`.
 """
 

@@ -2,7 +2,7 @@
 
 Every numbered door, every place told by a sign, and every thing that there is once on its
 floor is a destination, from two turns away, told by a plan that names the turns, the
-destination and its side: `python -m benchmarks.arrival [--sample N]` (docs/benches.md).
+destination and its side: `python -m benchmarks.arrival [--sample N]` (docs/lab/benches.md).
 """
 
 import math

@@ -2,7 +2,7 @@
 
 For each shipped text: does the likeliest place to end lie within 3 m of the goal, and does
 the heaviest alignment that ends there take the turns of the route?
-`python -m benchmarks.ceiling` (docs/benches.md). With `--list` also the texts without an
+`python -m benchmarks.ceiling` (docs/lab/benches.md). With `--list` also the texts without an
 error that mean something else, and what: by that one finds wrong plans without reading any.
 
 A true map is the sketch map as one would have it who walked every way of a site. The ways

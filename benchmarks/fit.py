@@ -5,7 +5,7 @@ keeps its map at every decision, with the way that would have been right. The lo
 mean, over walks, of the negative logarithm of what the belief gives to the right way; no
 walk is needed to try other values. L-BFGS-B moves all of them, as log odds or logarithms,
 and pays for going far from the values that stand. What is best on the kinds of buildings
-left out is kept (docs/guide_fit.md).
+left out is kept (docs/lab/guide_fit.md).
 """
 
 import argparse

@@ -4,7 +4,7 @@ Floors of all kinds are made, and speakers made up for each (`memorymaze.texts.w
 `all` is all that there is to say, `exact` ones leave out and say nothing that is not so,
 `people` name, count and measure as people do, `errors` make a significant error besides.
 No text is between:
-`python -m benchmarks.made_walks --agent guide [--speakers people]` (docs/benches.md).
+`python -m benchmarks.made_walks --agent guide [--speakers people]` (docs/lab/benches.md).
 """
 
 import argparse

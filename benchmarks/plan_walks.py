@@ -1,6 +1,6 @@
 """Agents that are given plans, not texts: what the benches of arrival and repair share.
 
-The instruction of an episode is a plan as JSON (docs/benches.md), so that no reading of
+The instruction of an episode is a plan as JSON (docs/lab/benches.md), so that no reading of
 language is measured. Walks are kept in run folders, and taken up again where a bench was
 broken off.
 """

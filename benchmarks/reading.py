@@ -2,7 +2,7 @@
 
 Both readings of the 564 shipped texts are compared part by part, and two readings of 60
 texts by the model with each other, which is what agreement can be had at best:
-`python -m benchmarks.reading` (docs/benches.md).
+`python -m benchmarks.reading` (docs/lab/benches.md).
 
 `--made K` compares what right made-up texts on K floors of each kind of building say with what
 the grammar reads (or `--reader learned`): the share of legs whose turn, count and thing at the turn are read as told.

@@ -3,7 +3,7 @@
 What a language model read in the shipped texts without an error is walked as it stands
 (the twin), and with one error of a known kind at a known place (the mutants), so that no
 reading of language is measured: `python -m benchmarks.repair [--sample N]`
-(docs/benches.md, which also says how an agent tells that it doubts).
+(docs/lab/benches.md, which also says how an agent tells that it doubts).
 """
 
 import json

@@ -2,7 +2,7 @@
 
 python scripts/guide_walks.py --out docs/images
 
-Prints what the numbers in the pictures are, for docs/guide.md. The plans are those that a
+Prints what the numbers in the pictures are, for docs/lab/guide.md. The plans are those that a
 large language model read in the texts (recorded).
 """
 

@@ -2,7 +2,7 @@
 
 It exists to hold readers to account: whoever reads what it tells of a canonical plan must
 come back to that plan. The other voices sound like people: they leave out, round and
-hedge; `docs/generation.md` lists what is lost in them.
+hedge; `docs/texts.md` lists what is lost in them.
 """
 
 from collections.abc import Iterator

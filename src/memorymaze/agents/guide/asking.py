@@ -50,7 +50,7 @@ class Situation:
         """How likely it is to arrive without asking.
 
         A logistic regression on the guide's own walks of the texts that were read while
-        developing, every metre a case (docs/asking.md).
+        developing, every metre a case (docs/lab/asking.md).
         """
         logit = 1.72 + 0.25 * math.log(max(self.share, 1e-3))
         logit -= 1.9 * self.doubt + 1.1 * min(self.over, 0.5)

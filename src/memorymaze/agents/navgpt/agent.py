@@ -2,7 +2,7 @@
 
 Zhou, Hong, Wu 2024, "NavGPT: Explicit Reasoning in Vision-and-Language Navigation with
 Large Language Models" (AAAI). What is as in its released code and what is not:
-`docs/navgpt.md`.
+`docs/model_agents.md`.
 """
 
 from dataclasses import asdict, dataclass, field

@@ -23,7 +23,7 @@ def add_parser(verbs: Verbs) -> None:
         "service or vLLM's run-batch, read the replies into a store, and again, until "
         "nothing is open; `memorymaze evaluate --replay STORE` runs them.",
         epilog="example: memorymaze answers requests --agent code_generation --model "
-        "gpt-4o --store answers.jsonl --out requests.jsonl (docs/code_generation.md "
+        "gpt-4o --store answers.jsonl --out requests.jsonl (docs/language_models.md "
         "has the whole way)",
     )
     actions = parser.add_subparsers(title="actions", metavar="ACTION", required=True)

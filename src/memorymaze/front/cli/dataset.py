@@ -15,7 +15,7 @@ def add_parser(verbs: Verbs) -> None:
     parser = verbs.add_parser(
         "dataset",
         help="make a dataset of made buildings with made texts",
-        description="Make datasets to train on and to test with (docs/datasets.md).",
+        description="Make datasets to train on and to test with (docs/texts.md).",
         epilog="example: memorymaze dataset make --buildings 100 --out made",
     )
     parts = parser.add_subparsers(title="actions", metavar="ACTION", required=True)

@@ -146,7 +146,7 @@ class RunSettings:
     folder, which is read as one run when all are there (docs/scaling.md)"""
     second_telling: bool = False
     """hand the agent both tellings of a way by the same person as one text; people who
-    told it once are left out (docs/asking.md)"""
+    told it once are left out (docs/agents.md)"""
     success_distance: float = SUCCESS_DISTANCE
     """stopping nearer than this to the goal is success, metres"""
     time_budget: float | None = None
@@ -171,7 +171,7 @@ class RunSettings:
     ask: int | None = field(default=None, metadata={"metavar": "N"})
     """the track with people to ask, so many questions; the agent is told the destination's
     name, with 0 that alone, and obstacles are as in medium where none are given
-    (docs/asking.md)"""
+    (docs/agents.md)"""
     passers_by: PassersBy = "memory"
     """with ask: how people answer: memory, with the errors of memory; as a control wrong,
     all of them, or empty, as nobody knows anything; model, the model of --model says what

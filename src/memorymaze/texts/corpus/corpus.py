@@ -58,7 +58,7 @@ def load_corpus(
         name, files, sites = folder.name, sorted(folder.glob("*.jsonl")), folder
         if not files:
             raise InstructionFileError(
-                f"{folder}: expected a folder of the SAIL corpus (docs/sail.md), or one "
+                f"{folder}: expected a folder of the SAIL corpus (docs/texts.md), or one "
                 "with site plans (*.geojson) and instruction files (*.jsonl)"
             )
     else:

@@ -15,7 +15,7 @@ def add_parser(actions: Verbs) -> None:
         help="mark failures and alternative ways in a sheet",
         description="Write a sheet that asks which way each text describes and what is "
         "wrong in it, without showing the labels that the file has. Once the sheet is "
-        "there, the same command reads back what is filled in (docs/labelling.md).",
+        "there, the same command reads back what is filled in (docs/studies.md).",
         epilog="example: memorymaze instructions label mine.jsonl --annotator ada "
         "--csv ada.csv --out ada.jsonl",
     )

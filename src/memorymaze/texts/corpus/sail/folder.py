@@ -115,7 +115,7 @@ def load_sail(folder: str | Path) -> MazeTexts:
         what = "there is no such folder" if not folder.is_dir() else "it has neither"
         raise InstructionFileError(
             f"{folder}: expected {MAZES} and {PARAGRAPHS}, or maps/*.xml and "
-            f"data/Paragraph.xml of the SAIL corpus; {what} (see docs/sail.md)"
+            f"data/Paragraph.xml of the SAIL corpus; {what} (see docs/texts.md)"
         )
     check_texts(texts)
     return texts
