@@ -30,17 +30,17 @@ from benchmarks.plan_walks import (
     share,
     walk_plans,
 )
-from memorymaze.errors import SitePlanError
-from memorymaze.geometry.pose import heading_to, turn_between
-from memorymaze.metrics.success import success_within
-from memorymaze.perception.matching import points_elsewhere
-from memorymaze.routes import Leg, RoutePlan
-from memorymaze.sites import Route, RouteTurn, Site
-from memorymaze.tables import Column, Table
-from memorymaze.writing.route_facts import RouteFacts
-from memorymaze.writing.steps import SIDES
-from memorymaze.writing.things import NUMBER, Thing
-from memorymaze.writing.turning_point_graph import GraphWay, TurningPointGraph
+from memorymaze.basics.errors import SitePlanError
+from memorymaze.basics.geometry.pose import heading_to, turn_between
+from memorymaze.basics.tables import Column, Table
+from memorymaze.language.plans import Leg, RoutePlan
+from memorymaze.robot.perception.matching import points_elsewhere
+from memorymaze.runs.metrics.success import success_within
+from memorymaze.texts.writing.route_facts import RouteFacts
+from memorymaze.texts.writing.steps import SIDES
+from memorymaze.texts.writing.things import NUMBER, Thing
+from memorymaze.texts.writing.turning_point_graph import GraphWay, TurningPointGraph
+from memorymaze.world.sites import Route, RouteTurn, Site
 
 DISTANCES = (1.5, 3.0, 5.0)
 """Metres from the destination."""

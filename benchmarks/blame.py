@@ -24,7 +24,7 @@ from memorymaze.agents.guide.alignments import Frontier
 from memorymaze.agents.guide.arriving import Ending
 from memorymaze.agents.guide.choosing import Choice
 from memorymaze.agents.guide.things import Things
-from memorymaze.tables import Column, Table
+from memorymaze.basics.tables import Column, Table
 
 ARRIVED = 3.0
 NEUTRAL: Mapping[str, tuple[tuple[object, str, Callable[..., object]], ...]] = {

@@ -51,31 +51,31 @@ from memorymaze.agents.walking.floor_map import (
 )
 from memorymaze.agents.walking.outlooks import outlook_of
 from memorymaze.agents.walking.walker import AHEAD, STRIDE
-from memorymaze.evaluation.sampling import sample
-from memorymaze.geometry.pose import Pose, wrap_angle
-from memorymaze.instructions import Episode, load_corpus
-from memorymaze.instructions.records import DEVELOPED, HELD_OUT, is_of_split
-from memorymaze.metrics.success import SUCCESS_DISTANCE
-from memorymaze.perception.camera_view import (
+from memorymaze.basics.geometry.pose import Pose, wrap_angle
+from memorymaze.basics.tables import Column, Table
+from memorymaze.language.plans import RoutePlan
+from memorymaze.language.reading import ANY_FLOOR
+from memorymaze.robot.api.control import DETECTION_RANGE
+from memorymaze.robot.perception.camera_view import (
     ObjectDescription,
     VisibleObject,
     place_at_bearing,
 )
-from memorymaze.perception.detector import LONGEST_QUERY
-from memorymaze.perception.matching import (
+from memorymaze.robot.perception.detector import LONGEST_QUERY
+from memorymaze.robot.perception.matching import (
     MATCH_THRESHOLD,
     match_score,
     points_elsewhere,
 )
-from memorymaze.robot.api import DETECTION_RANGE
-from memorymaze.routes import RoutePlan
-from memorymaze.simulation.scene import build_scene
-from memorymaze.simulation.senses.visibility import camera_elsewhere
-from memorymaze.sites import Route, Site
-from memorymaze.tables import Column, Table
-from memorymaze.understanding import ANY_FLOOR
-from memorymaze.writing.route_facts import RouteFacts
-from memorymaze.writing.turning_point_graph import TurningPointGraph
+from memorymaze.robot.simulation.scene import build_scene
+from memorymaze.robot.simulation.senses.visibility import camera_elsewhere
+from memorymaze.runs.episodes.sampling import sample
+from memorymaze.runs.metrics.success import SUCCESS_DISTANCE
+from memorymaze.texts.corpus import Episode, load_corpus
+from memorymaze.texts.corpus.records import DEVELOPED, HELD_OUT, is_of_split
+from memorymaze.texts.writing.route_facts import RouteFacts
+from memorymaze.texts.writing.turning_point_graph import TurningPointGraph
+from memorymaze.world.sites import Route, Site
 
 HALVES = {HELD_OUT: "other half", DEVELOPED: "development half"}
 STEP = 0.1

@@ -16,13 +16,13 @@ from benchmarks.plan_walks import given_plans
 from memorymaze.agents.guide.agent import GuideAgent, GuideOptions
 from memorymaze.agents.guide.choosing import Choice
 from memorymaze.agents.walking.floor_map import FloorMap
-from memorymaze.evaluation.arena import Arena
-from memorymaze.evaluation.episode import run_episode
-from memorymaze.evaluation.plan import plan_run
-from memorymaze.evaluation.settings import AgentSettings, RunSettings
-from memorymaze.instructions import Corpus
-from memorymaze.instructions.corpus import episodes
-from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.robot.simulation.robot import SimulatedRobot
+from memorymaze.runs.episodes.arena import Arena
+from memorymaze.runs.episodes.episode import run_episode
+from memorymaze.runs.episodes.plan import plan_run
+from memorymaze.runs.episodes.settings import AgentSettings, RunSettings
+from memorymaze.texts.corpus import Corpus
+from memorymaze.texts.corpus.corpus import episodes
 
 BEYOND = 2.0
 """Metres beyond a turning point where the way on from it is measured."""

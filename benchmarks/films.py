@@ -17,19 +17,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from benchmarks.measuring import Row
-from memorymaze.geometry.pose import Pose
-from memorymaze.pictures.films import WalkthroughSettings
-from memorymaze.pictures.films.drawing import (
+from memorymaze.basics.geometry.pose import Pose
+from memorymaze.basics.processes import available_cores
+from memorymaze.basics.video_file import write_video
+from memorymaze.robot.simulation.scene import build_scene
+from memorymaze.runs.films import WalkthroughSettings
+from memorymaze.runs.films.drawing import (
     AHEAD,
     MOST_PROCESSES,
     Artist,
     frames_from,
 )
-from memorymaze.pictures.films.video_file import write_video
-from memorymaze.processes import available_cores
-from memorymaze.simulation.scene import build_scene
-from memorymaze.simulation.walkthrough import tour_of
-from memorymaze.sites import Site, load_site
+from memorymaze.runs.films.walkthrough import tour_of
+from memorymaze.world.sites import Site, load_site
 
 SITE, ROUTE = "university", "R1"
 SETTINGS = WalkthroughSettings(size=(1920, 960), panorama=True, fps=10)

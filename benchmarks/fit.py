@@ -27,8 +27,8 @@ from benchmarks.made_walks import ToldWay, floor_seeds, told_ways
 from memorymaze.agents.guide.alignments import AssumedStart
 from memorymaze.agents.guide.likelihoods import Likelihoods
 from memorymaze.agents.guide.tellings import Tellings
-from memorymaze.construction import BUILDING_KINDS, BuildingKind
-from memorymaze.routes import RoutePlan
+from memorymaze.language.plans import RoutePlan
+from memorymaze.world.construction import BUILDING_KINDS, BuildingKind
 
 SPEAKERS = ("exact", "people", "people", "errors")
 MOST_A_WALK = 2

@@ -14,11 +14,11 @@ from numpy.typing import NDArray
 from shapely import Polygon
 
 from benchmarks.measuring import Row
-from memorymaze.geometry.pose import Pose
-from memorymaze.simulation.scene import build_scene
-from memorymaze.simulation.senses.lidar import Lidar, LidarSettings
-from memorymaze.sites import BUILTIN_SITE_NAMES, Site, load_site
-from memorymaze.sites.solids import Solid, door_solid, landmark_solid
+from memorymaze.basics.geometry.pose import Pose
+from memorymaze.robot.simulation.scene import build_scene
+from memorymaze.robot.simulation.senses.lidar import Lidar, LidarSettings
+from memorymaze.world.sites import BUILTIN_SITE_NAMES, Site, load_site
+from memorymaze.world.sites.solids import Solid, door_solid, landmark_solid
 
 PLAIN = "numpy, all rays with all edges of the plan"
 POSES = 60

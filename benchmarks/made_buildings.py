@@ -15,9 +15,9 @@ from itertools import combinations
 import numpy as np
 from shapely import LineString, Point
 
-from memorymaze.construction import BUILDING_KINDS, make_building
-from memorymaze.geometry.pose import turn_between
-from memorymaze.sites import BUILTIN_SITE_NAMES, Site, load_site
+from memorymaze.basics.geometry.pose import turn_between
+from memorymaze.world.construction import BUILDING_KINDS, make_building
+from memorymaze.world.sites import BUILTIN_SITE_NAMES, Site, load_site
 
 CABOT = {1: 269, 2: 56, 3: 205, 4: 41}
 """Nodes by degree on floor 4 of CaBot's public test data (MIT licence)."""

@@ -9,15 +9,15 @@ import argparse
 import sys
 import time
 
-from memorymaze.instructions.published import published_tables
-from memorymaze.instructions.statistics import describe_corpus
-from memorymaze.sites import load_sites
-from memorymaze.writing import (
+from memorymaze.texts.corpus.published import published_tables
+from memorymaze.texts.corpus.statistics import describe_corpus
+from memorymaze.texts.writing import (
     ErrorRates,
     cells_of,
     sample_outlines,
     write_texts,
 )
+from memorymaze.world.sites import load_sites
 
 POINTS, MEAN, SD = 0.03, 0.05, 0.15
 TITLE = "study   site        route it.  mean (paper)           SD (paper)             FR %           AR %"

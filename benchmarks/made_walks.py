@@ -1,6 +1,6 @@
 """Whether agents follow right plans on floors that nobody has seen, by kind of building.
 
-Floors of all kinds are made, and speakers made up for each (`memorymaze.writing.speakers`):
+Floors of all kinds are made, and speakers made up for each (`memorymaze.texts.writing.speakers`):
 `all` is all that there is to say, `exact` ones leave out and say nothing that is not so,
 `people` name, count and measure as people do, `errors` make a significant error besides.
 No text is between:
@@ -24,15 +24,15 @@ from benchmarks.plan_walks import (
     share,
     walk_plans,
 )
-from memorymaze.construction import BUILDING_KINDS, BuildingKind, make_building
-from memorymaze.errors import SitePlanError
-from memorymaze.evaluation.settings import RunSettings
-from memorymaze.instructions import Instruction
-from memorymaze.routes import RoutePlan
-from memorymaze.sites import Route, Site
-from memorymaze.tables import Column, Table
-from memorymaze.writing import ErrorRates, cells_of, sample_outlines
-from memorymaze.writing.speakers import EXACT, draw_speaker, tell_plan
+from memorymaze.basics.errors import SitePlanError
+from memorymaze.basics.tables import Column, Table
+from memorymaze.language.plans import RoutePlan
+from memorymaze.runs.episodes.settings import RunSettings
+from memorymaze.texts.corpus import Instruction
+from memorymaze.texts.writing import ErrorRates, cells_of, sample_outlines
+from memorymaze.texts.writing.speakers import EXACT, draw_speaker, tell_plan
+from memorymaze.world.construction import BUILDING_KINDS, BuildingKind, make_building
+from memorymaze.world.sites import Route, Site
 
 SPEAKERS = ("all", "exact", "people", "errors")
 FIRST_SEED = 100_000

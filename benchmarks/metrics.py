@@ -11,9 +11,9 @@ import shapely
 
 from benchmarks import plain_metrics
 from benchmarks.measuring import Row, best_ms, timed
-from memorymaze.geometry.grid import FloorGrid
-from memorymaze.metrics import efficiency, fidelity
-from memorymaze.metrics.score import score_path
+from memorymaze.basics.geometry.grid import FloorGrid
+from memorymaze.runs.metrics import efficiency, fidelity
+from memorymaze.runs.metrics.score import score_path
 
 NODES, PATH_NODES, THRESHOLD = 2_000, 300, 3.0
 PLAIN = "plain Python from the formulas (benchmarks/plain_metrics.py)"

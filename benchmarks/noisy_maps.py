@@ -1,7 +1,7 @@
 """ROS maps of known floors, as noisy as those that robots make, and what comes back.
 
 `python -m benchmarks.noisy_maps` makes maps of the benchmark's floors and of a made building
-of each kind, imports them and holds the plans against the true ones (docs/importing.md).
+of each kind, imports them and holds the plans against the true ones (docs/lab/importing.md).
 """
 
 import math
@@ -18,10 +18,15 @@ from scipy.optimize import linear_sum_assignment
 from shapely import LineString, Point, Polygon
 from shapely.affinity import rotate
 
-from memorymaze.construction import BUILDING_KINDS, make_building
-from memorymaze.importing.ros_map import import_ros_map
-from memorymaze.sites import BUILTIN_SITE_NAMES, Site, find_site_problems, load_site
-from memorymaze.tables import Column, Table
+from memorymaze.basics.tables import Column, Table
+from memorymaze.world.construction import BUILDING_KINDS, make_building
+from memorymaze.world.importing.ros_map import import_ros_map
+from memorymaze.world.sites import (
+    BUILTIN_SITE_NAMES,
+    Site,
+    find_site_problems,
+    load_site,
+)
 
 WALL = 0.15
 """Metres of wall that a scanner shows around a floor."""

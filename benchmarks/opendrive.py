@@ -24,17 +24,17 @@ from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
+import carla
 import networkx as nx
 import numpy as np
 import shapely
 from shapely import LineString, Polygon, STRtree, union_all
 
-import carla
-from memorymaze.construction import BUILDING_KINDS, make_building
-from memorymaze.exporting.opendrive import LANE_TYPES, LaneType, opendrive
-from memorymaze.importing import import_site
-from memorymaze.sites import BUILTIN_SITE_NAMES, Site, load_site
-from memorymaze.sites.navigation_graph import navigation_graph
+from memorymaze.world.construction import BUILDING_KINDS, make_building
+from memorymaze.world.exporting.opendrive import LANE_TYPES, LaneType, opendrive
+from memorymaze.world.importing import import_site
+from memorymaze.world.sites import BUILTIN_SITE_NAMES, Site, load_site
+from memorymaze.world.sites.navigation_graph import navigation_graph
 
 SAMPLE = 0.25
 """Metres along a lane between the places where CARLA is asked for its borders."""

@@ -15,21 +15,21 @@ from urllib.parse import quote
 
 import numpy as np
 
-from memorymaze.cli.agent_options import given_options
-from memorymaze.construction import BUILDING_KINDS, make_building
-from memorymaze.evaluation.agent_catalogue import choose_agent
-from memorymaze.evaluation.driver import run_plan
-from memorymaze.evaluation.plan import plan_run
-from memorymaze.evaluation.results import EpisodeResult
-from memorymaze.evaluation.settings import AgentSettings, RunSettings
-from memorymaze.evaluation.trace import read_trace
-from memorymaze.evaluation.trace_entries import NoteEntry, TrajectoryEntry
-from memorymaze.instructions import Corpus, Instruction
-from memorymaze.instructions.corpus import episodes
-from memorymaze.metrics.aggregate import participant_bootstrap
-from memorymaze.routes import RoutePlan, plan_record
-from memorymaze.sites import BUILTIN_SITE_NAMES, Route, Site, load_sites
-from memorymaze.tables import Column
+from memorymaze.basics.tables import Column
+from memorymaze.front.cli.agent_options import given_options
+from memorymaze.language.plans import RoutePlan, plan_record
+from memorymaze.runs.episodes.agent_catalogue import choose_agent
+from memorymaze.runs.episodes.plan import plan_run
+from memorymaze.runs.episodes.results import EpisodeResult
+from memorymaze.runs.episodes.settings import AgentSettings, RunSettings
+from memorymaze.runs.episodes.trace import read_trace
+from memorymaze.runs.episodes.trace_entries import NoteEntry, TrajectoryEntry
+from memorymaze.runs.metrics.aggregate import participant_bootstrap
+from memorymaze.runs.work.driver import run_plan
+from memorymaze.texts.corpus import Corpus, Instruction
+from memorymaze.texts.corpus.corpus import episodes
+from memorymaze.world.construction import BUILDING_KINDS, make_building
+from memorymaze.world.sites import BUILTIN_SITE_NAMES, Route, Site, load_sites
 
 RESAMPLES = 2000
 AGENTS = ("guide", "explorer")

@@ -22,15 +22,15 @@ from tempfile import TemporaryDirectory
 
 from benchmarks.made_walks import floor_seeds, made_floors
 from memorymaze.agents.plan_readers import read_plan_reply
-from memorymaze.construction import BUILDING_KINDS, BuildingKind
-from memorymaze.errors import SitePlanError
-from memorymaze.instructions import load_corpus
-from memorymaze.instructions.records import Episode
-from memorymaze.routes import Arrival, Leg, RoutePlan
-from memorymaze.tables import Column, Table
-from memorymaze.understanding import parse_route_description, place_on_sign
-from memorymaze.understanding.marking import read_by_marks
-from memorymaze.writing import ErrorRates, cells_of, sample_outlines, write_texts
+from memorymaze.basics.errors import SitePlanError
+from memorymaze.basics.tables import Column, Table
+from memorymaze.language.plans import Arrival, Leg, RoutePlan
+from memorymaze.language.reading import parse_route_description, place_on_sign
+from memorymaze.language.reading.marking import read_by_marks
+from memorymaze.texts.corpus import load_corpus
+from memorymaze.texts.corpus.records import Episode
+from memorymaze.texts.writing import ErrorRates, cells_of, sample_outlines, write_texts
+from memorymaze.world.construction import BUILDING_KINDS, BuildingKind
 
 READERS: dict[str, Callable[[str], RoutePlan]] = {
     "grammar": parse_route_description,

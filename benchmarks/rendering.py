@@ -8,13 +8,13 @@ import math
 from collections.abc import Callable
 
 from benchmarks.measuring import Row, timed
-from memorymaze.geometry.pose import Pose, heading_to
-from memorymaze.pictures.rendering import (
+from memorymaze.basics.geometry.pose import Pose, heading_to
+from memorymaze.world.cameras import (
     RenderedCamera,
     VisualScene,
     build_visual_scene,
 )
-from memorymaze.sites import Site, load_site
+from memorymaze.world.sites import Site, load_site
 
 SITE, ROUTE = "museum_5f", "R1"
 SIZES = ((224, 224), (640, 480))

@@ -34,17 +34,17 @@ from benchmarks.plan_walks import (
     walk_plans,
 )
 from memorymaze.agents.plan_readers import read_plan_reply
-from memorymaze.errors import SitePlanError
-from memorymaze.evaluation.sampling import sample
-from memorymaze.instructions import Instruction, load_corpus
-from memorymaze.metrics.success import success_within_way
-from memorymaze.routes import Arrival, Leg, Mention, RoutePlan, Turn
-from memorymaze.sites import BUILTIN_SITE_NAMES, Route, Site
-from memorymaze.tables import Column, Table
-from memorymaze.writing.mistakes import possible_mistakes
-from memorymaze.writing.route_facts import RouteFacts
-from memorymaze.writing.steps import Mistake, Step
-from memorymaze.writing.turning_point_graph import TurningPointGraph, side_of_turn
+from memorymaze.basics.errors import SitePlanError
+from memorymaze.basics.tables import Column, Table
+from memorymaze.language.plans import Arrival, Leg, Mention, RoutePlan, Turn
+from memorymaze.runs.episodes.sampling import sample
+from memorymaze.runs.metrics.success import success_within_way
+from memorymaze.texts.corpus import Instruction, load_corpus
+from memorymaze.texts.writing.mistakes import possible_mistakes
+from memorymaze.texts.writing.route_facts import RouteFacts
+from memorymaze.texts.writing.steps import Mistake, Step
+from memorymaze.texts.writing.turning_point_graph import TurningPointGraph, side_of_turn
+from memorymaze.world.sites import BUILTIN_SITE_NAMES, Route, Site
 
 PLACES_AT_THE_TURN = ("turn", "beside", "before_turn", "after_turn", "opposite")
 RECORDED = Path(__file__).parents[1] / "examples/recorded/plans.jsonl"

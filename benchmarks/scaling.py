@@ -18,12 +18,12 @@ from contextlib import contextmanager, redirect_stderr
 from pathlib import Path
 
 from benchmarks.measuring import Row
-from memorymaze.evaluation.driver import run_plan
-from memorymaze.evaluation.local_workers import LocalWorkforce
-from memorymaze.evaluation.plan import RunPlan, plan_run
-from memorymaze.evaluation.settings import AgentSettings, RunSettings
-from memorymaze.evaluation.worker_pool import Workforce
-from memorymaze.sites import BUILTIN_SITE_NAMES
+from memorymaze.runs.episodes.plan import RunPlan, plan_run
+from memorymaze.runs.episodes.settings import AgentSettings, RunSettings
+from memorymaze.runs.work.driver import run_plan
+from memorymaze.runs.work.local_workers import LocalWorkforce
+from memorymaze.runs.work.worker_pool import Workforce
+from memorymaze.world.sites import BUILTIN_SITE_NAMES
 
 EPISODES = int(os.environ.get("MEMORYMAZE_SCALING_EPISODES", "96"))
 """Of each agent; a small number gives a rough look."""
@@ -37,9 +37,9 @@ AGENTS = ("guide", "oracle")
 ONE_WORKER = """
 import sys, time
 began = time.process_time()
-from memorymaze.evaluation.episode_worker import EpisodeTask, EpisodeWorker
-from memorymaze.evaluation.plan import plan_run
-from memorymaze.evaluation.settings import AgentSettings
+from memorymaze.runs.work.episode_worker import EpisodeTask, EpisodeWorker
+from memorymaze.runs.episodes.plan import plan_run
+from memorymaze.runs.episodes.settings import AgentSettings
 plan = plan_run(AgentSettings("guide"))
 site = sys.argv[1]
 episode = next(e for e in plan.episodes if e.instruction.site == site)
@@ -123,7 +123,7 @@ def ray_workforce(workers: int) -> Iterator[Workforce | None]:
         print("scaling: ray is not installed; its rows are left out", file=sys.stderr)
         yield None
         return
-    from memorymaze.evaluation.ray_workers import open_ray_cluster
+    from memorymaze.runs.work.ray_workers import open_ray_cluster
 
     os.environ.setdefault("RAY_USAGE_STATS_ENABLED", "0")
     # Ray's workers give way to all others by default, which local ones do not.

@@ -14,13 +14,13 @@ from functools import partial
 
 import numpy as np
 
-from memorymaze.evaluation.arena import Arena
-from memorymaze.evaluation.episode import run_episode
-from memorymaze.evaluation.named_settings import with_choices
-from memorymaze.evaluation.plan import RunPlan, plan_run
-from memorymaze.evaluation.results import EpisodeResult
-from memorymaze.evaluation.settings import AgentSettings, RunSettings
-from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.robot.simulation.robot import SimulatedRobot
+from memorymaze.runs.episodes.arena import Arena
+from memorymaze.runs.episodes.episode import run_episode
+from memorymaze.runs.episodes.named_settings import with_choices
+from memorymaze.runs.episodes.plan import RunPlan, plan_run
+from memorymaze.runs.episodes.results import EpisodeResult
+from memorymaze.runs.episodes.settings import AgentSettings, RunSettings
 
 AGENTS = ("guide", "examples/right_hand.py:RightHand")
 

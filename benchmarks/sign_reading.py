@@ -22,14 +22,14 @@ from PIL import Image
 from shapely import Point
 
 from benchmarks.measuring import Row
-from memorymaze.geometry.pose import Pose
-from memorymaze.perception.eyes import Eyes, SignSource
-from memorymaze.perception.sign_reading import PICTURE_SIZE
-from memorymaze.simulation.robot import SimulatedRobot
-from memorymaze.simulation.scene import Scene, build_scene
-from memorymaze.simulation.senses.sight_targets import inscription
-from memorymaze.sites import BUILTIN_SITE_NAMES, Site, load_site
-from memorymaze.sites.records import Door, Landmark
+from memorymaze.basics.geometry.pose import Pose
+from memorymaze.robot.perception.eyes import Eyes, SignSource
+from memorymaze.robot.perception.sign_reading import PICTURE_SIZE
+from memorymaze.robot.simulation.robot import SimulatedRobot
+from memorymaze.robot.simulation.scene import Scene, build_scene
+from memorymaze.robot.simulation.senses.sight_targets import inscription
+from memorymaze.world.sites import BUILTIN_SITE_NAMES, Site, load_site
+from memorymaze.world.sites.records import Door, Landmark
 
 DISTANCE = 3.0
 """Metres from the words."""

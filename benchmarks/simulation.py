@@ -11,19 +11,19 @@ from collections.abc import Callable
 import numpy as np
 
 from benchmarks.measuring import Row, best_ms
-from memorymaze.evaluation.episode_worker import (
+from memorymaze.robot.simulation.motion.wheeled_base import WheeledBase
+from memorymaze.robot.simulation.robot import SimulatedRobot
+from memorymaze.robot.simulation.scene import Scene, build_scene
+from memorymaze.robot.simulation.settings import SimulationSettings
+from memorymaze.runs.episodes.named_settings import with_choices
+from memorymaze.runs.episodes.plan import plan_run
+from memorymaze.runs.episodes.settings import RunSettings
+from memorymaze.runs.work.episode_worker import (
     EpisodeDone,
     EpisodeTask,
     EpisodeWorker,
 )
-from memorymaze.evaluation.named_settings import with_choices
-from memorymaze.evaluation.plan import plan_run
-from memorymaze.evaluation.settings import RunSettings
-from memorymaze.simulation.motion.wheeled_base import WheeledBase
-from memorymaze.simulation.robot import SimulatedRobot
-from memorymaze.simulation.scene import Scene, build_scene
-from memorymaze.simulation.settings import SimulationSettings
-from memorymaze.sites import (
+from memorymaze.world.sites import (
     BUILTIN_SITE_NAMES,
     Route,
     Site,

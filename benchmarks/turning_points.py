@@ -20,18 +20,18 @@ import numpy as np
 from shapely import Point, Polygon
 
 from benchmarks.measuring import Row
-from memorymaze.geometry.pose import Pose, turn_between
-from memorymaze.perception.turning_points import TurningPointFinder
-from memorymaze.robot.api import Direction
-from memorymaze.simulation.robot import SimulatedRobot
-from memorymaze.simulation.scene import build_scene
-from memorymaze.simulation.senses.lidar import Lidar
-from memorymaze.simulation.senses.noise import NoiseSettings, parse_noise
-from memorymaze.simulation.senses.odometry import Odometry
-from memorymaze.simulation.senses.turning_points import AnnotatedTurningPoints
-from memorymaze.sites import BUILTIN_SITE_NAMES, Site, load_site
-from memorymaze.sites.records import Route
-from memorymaze.steering.commands import direction_of
+from memorymaze.basics.geometry.pose import Pose, turn_between
+from memorymaze.robot.api.control import Direction
+from memorymaze.robot.perception.turning_points import TurningPointFinder
+from memorymaze.robot.simulation.robot import SimulatedRobot
+from memorymaze.robot.simulation.scene import build_scene
+from memorymaze.robot.simulation.senses.lidar import Lidar
+from memorymaze.robot.simulation.senses.noise import NoiseSettings, parse_noise
+from memorymaze.robot.simulation.senses.odometry import Odometry
+from memorymaze.robot.simulation.senses.turning_points import AnnotatedTurningPoints
+from memorymaze.robot.steering.commands import direction_of
+from memorymaze.world.sites import BUILTIN_SITE_NAMES, Site, load_site
+from memorymaze.world.sites.records import Route
 
 NEAR = 1.5
 """Metres between a sensed turning point and the area of the annotated one."""

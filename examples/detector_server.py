@@ -19,9 +19,12 @@ from PIL import Image, UnidentifiedImageError
 from pydantic import ValidationError
 from remote_finder import DetectionReply, DetectionRequest
 
-from memorymaze.errors import DetectorError, SettingsError
-from memorymaze.perception.grounding_dino import DEFAULT_CHECKPOINT, ZeroShotFinder
-from memorymaze.perception.picture_detector import ObjectFinder
+from memorymaze.basics.errors import DetectorError, SettingsError
+from memorymaze.robot.perception.grounding_dino import (
+    DEFAULT_CHECKPOINT,
+    ZeroShotFinder,
+)
+from memorymaze.robot.perception.picture_detector import ObjectFinder
 
 FinderFor = Callable[[float, float], ObjectFinder]
 """Gives the model for a box threshold and a text threshold."""

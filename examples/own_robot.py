@@ -14,11 +14,11 @@ import shapely
 from numpy.typing import ArrayLike, NDArray
 
 import memorymaze as mm
-from memorymaze.geometry.pose import Pose, wrap_angle
-from memorymaze.robot.sensors_and_motion import OdometryReading
-from memorymaze.robot.steps import CameraPicture, LidarScan
-from memorymaze.simulation.settings import SimulationSettings
-from memorymaze.steering.guide_robot import GuideRobot
+from memorymaze.basics.geometry.pose import Pose, wrap_angle
+from memorymaze.robot.api.sensors_and_motion import OdometryReading
+from memorymaze.robot.api.steps import CameraPicture, LidarScan
+from memorymaze.robot.simulation.settings import SimulationSettings
+from memorymaze.robot.steering.guide_robot import GuideRobot
 
 CORRIDOR = ((0, -1), (12, -1), (12, -8), (14, -8), (14, 1), (0, 1))
 """Corners of the floor: 14 m to the east, then right, 7 m to the south."""

@@ -5,7 +5,7 @@
         --with detector=examples/remote_finder.py:RemoteFinder,url=http://localhost:8000/
 
 It posts one JSON message a look, `DetectionRequest`, and gets `DetectionReply`. Whatever
-else your server speaks is changed in `find`; docs/perception.md says what a finder must do.
+else your server speaks is changed in `find`; docs/seeing.md says what a finder must do.
 """
 
 import base64
@@ -20,10 +20,10 @@ from numpy.typing import NDArray
 from PIL import Image
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
 
-from memorymaze.errors import DetectorError
-from memorymaze.options import check_number, check_whole
-from memorymaze.perception import FoundBox
-from memorymaze.server_calls import one_line, within
+from memorymaze.basics.errors import DetectorError
+from memorymaze.basics.options import check_number, check_whole
+from memorymaze.basics.server_calls import one_line, within
+from memorymaze.robot.perception import FoundBox
 
 LONGEST_REPLY = 4_000_000
 """Bytes."""

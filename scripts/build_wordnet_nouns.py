@@ -1,4 +1,4 @@
-"""Build the noun data of `memorymaze.perception` from WordNet's database files.
+"""Build the noun data of `memorymaze.robot.perception` from WordNet's database files.
 
     apt-get install wordnet-base
     python scripts/build_wordnet_nouns.py /usr/share/wordnet
@@ -16,7 +16,7 @@ import sys
 from pathlib import Path
 from typing import NamedTuple
 
-TARGET = Path(__file__).parent.parent / "src/memorymaze/perception/data/nouns.txt.gz"
+TARGET = Path(__file__).parent.parent / "src/memorymaze/language/data/nouns.txt.gz"
 
 # The lexicographer files (lexnames(5WN)) that hold physical things: animal, artifact,
 # body, food, object, person, plant and substance; and the tops of their trees.

@@ -37,7 +37,7 @@ SHORTER = {
 """What is made smaller, as patterns."""
 RIGHT = """
 import memorymaze as mm
-from memorymaze.sites import load_sites
+from memorymaze.world.sites import load_sites
 
 run = mm.evaluate(RightHand(), limit=1, out="runs/typed")
 table: mm.Table = run.table()

@@ -16,13 +16,13 @@ from PIL import Image, ImageDraw
 from shapely import Point
 from shapely import box as rectangle
 
-from memorymaze.geometry.pose import Pose
-from memorymaze.pictures import OWN, Looks
-from memorymaze.pictures.rendering.camera import RenderedCamera
-from memorymaze.pictures.rendering.visual_scene import build_visual_scene
-from memorymaze.sites import load_sites
-from memorymaze.sites.records import Area, Landmark, Mount, Site
-from memorymaze.sites.solids import landmark_solid
+from memorymaze.basics.geometry.pose import Pose
+from memorymaze.world.cameras.camera import RenderedCamera
+from memorymaze.world.cameras.visual_scene import build_visual_scene
+from memorymaze.world.looks import OWN, Looks
+from memorymaze.world.sites import load_sites
+from memorymaze.world.sites.records import Area, Landmark, Mount, Site
+from memorymaze.world.sites.solids import landmark_solid
 
 CELL, LABEL, GAP = 180, 15, 3
 """Pixels of a picture's side, of the line under it, and between pictures."""

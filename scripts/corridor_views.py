@@ -16,17 +16,17 @@ from pathlib import Path
 from PIL import Image, ImageDraw
 from shapely import LineString
 
-from memorymaze.geometry.pose import Pose
-from memorymaze.pictures.films import WalkthroughSettings
-from memorymaze.pictures.films.drawing import Artist
-from memorymaze.pictures.films.video_file import BT709, LIMITED_RANGE, video_frame
-from memorymaze.pictures.rendering import (
+from memorymaze.basics.geometry.pose import Pose
+from memorymaze.basics.robot_size import CAMERA_HEIGHT
+from memorymaze.basics.video_file import BT709, LIMITED_RANGE, video_frame
+from memorymaze.runs.films import WalkthroughSettings
+from memorymaze.runs.films.drawing import Artist
+from memorymaze.world.cameras import (
     RenderedCamera,
     VisualScene,
     build_visual_scene,
 )
-from memorymaze.robot.steps import CAMERA_HEIGHT
-from memorymaze.sites import Site, load_sites
+from memorymaze.world.sites import Site, load_sites
 
 WIDTH, HEIGHT, LABEL = 320, 240, 16
 COLUMNS = 3

@@ -7,7 +7,7 @@ import {
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 
 const SKY = new Color(0.72, 0.81, 0.92);
-// Lights as in pictures/rendering/visual_scene.py, z up; they add up brighter in
+// Lights as in world/cameras/visual_scene.py, z up; they add up brighter in
 // three.js, which adds light, where OpenGL adds what the screen is told.
 const AMBIENT = 0.47;
 const RIG = [

@@ -22,10 +22,10 @@ from numpy.typing import NDArray
 from PIL import Image
 from playwright.sync_api import Page, Route, sync_playwright
 
-from memorymaze.exporting import export_site
-from memorymaze.geometry.pose import Pose
-from memorymaze.pictures.rendering import RenderedCamera, build_visual_scene
-from memorymaze.sites import load_site
+from memorymaze.basics.geometry.pose import Pose
+from memorymaze.world.cameras import RenderedCamera, build_visual_scene
+from memorymaze.world.exporting import export_site
+from memorymaze.world.sites import load_site
 
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")
 WEBGL = ("--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader")

@@ -2,7 +2,7 @@
 
 python scripts/guide_walks.py --out docs/images
 
-Prints what the numbers in the pictures are, for docs/guide.md. The plans are those that a
+Prints what the numbers in the pictures are, for docs/lab/guide.md. The plans are those that a
 large language model read in the texts (recorded).
 """
 
@@ -16,19 +16,19 @@ from typing import Any
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
-from memorymaze.drawing.plan_picture import draw_plan
-from memorymaze.evaluation.driver import run_plan
-from memorymaze.evaluation.plan import plan_run
-from memorymaze.evaluation.settings import AgentSettings
-from memorymaze.evaluation.trace import read_trace
-from memorymaze.evaluation.trace_entries import (
+from memorymaze.language.models.model_settings import ModelSettings
+from memorymaze.runs.episodes.plan import plan_run
+from memorymaze.runs.episodes.settings import AgentSettings
+from memorymaze.runs.episodes.trace import read_trace
+from memorymaze.runs.episodes.trace_entries import (
     EndEntry,
     NoteEntry,
     TraceEntry,
     TrajectoryEntry,
 )
-from memorymaze.instructions import load_corpus
-from memorymaze.language.model_settings import ModelSettings
+from memorymaze.runs.work.driver import run_plan
+from memorymaze.texts.corpus import load_corpus
+from memorymaze.world.drawing.plan_picture import draw_plan
 
 WALKS = {
     "guide_repaired": "onl-museum_7f-r1-11-2",

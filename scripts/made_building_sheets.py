@@ -12,11 +12,11 @@ from pathlib import Path
 from PIL import Image
 from shapely import LineString
 
-from memorymaze.construction import BUILDING_KINDS, make_building
-from memorymaze.drawing.plan_picture import draw_site
-from memorymaze.geometry.pose import Pose, heading_to
-from memorymaze.pictures.rendering import RenderedCamera, build_visual_scene
-from memorymaze.sites import Route, Site
+from memorymaze.basics.geometry.pose import Pose, heading_to
+from memorymaze.world.cameras import RenderedCamera, build_visual_scene
+from memorymaze.world.construction import BUILDING_KINDS, make_building
+from memorymaze.world.drawing.plan_picture import draw_site
+from memorymaze.world.sites import Route, Site
 
 EACH = 3
 """Floors of each kind."""

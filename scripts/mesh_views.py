@@ -1,4 +1,4 @@
-"""The picture of docs/importing.md: a site's own looks above, those of its mesh below."""
+"""The picture of docs/seeing.md: a site's own looks above, those of its mesh below."""
 
 import math
 import tempfile
@@ -7,10 +7,10 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from memorymaze.exporting import export_site
-from memorymaze.geometry.pose import Pose
-from memorymaze.pictures.rendering import RenderedCamera, build_visual_scene
-from memorymaze.sites import load_site
+from memorymaze.basics.geometry.pose import Pose
+from memorymaze.world.cameras import RenderedCamera, build_visual_scene
+from memorymaze.world.exporting import export_site
+from memorymaze.world.sites import load_site
 
 OUT = Path(__file__).parents[1] / "docs/images/mesh_looks.png"
 COLOURS = 256

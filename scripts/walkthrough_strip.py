@@ -9,12 +9,12 @@ from pathlib import Path
 
 from PIL import Image
 
-from memorymaze.pictures.films import WalkthroughSettings
-from memorymaze.pictures.rendering import RenderedCamera
-from memorymaze.simulation.cameras import visual_scene_of
-from memorymaze.simulation.scene import build_scene
-from memorymaze.simulation.walkthrough import tour_of
-from memorymaze.sites import load_sites
+from memorymaze.robot.simulation.cameras import visual_scene_of
+from memorymaze.robot.simulation.scene import build_scene
+from memorymaze.runs.films import WalkthroughSettings
+from memorymaze.runs.films.walkthrough import tour_of
+from memorymaze.world.cameras import RenderedCamera
+from memorymaze.world.sites import load_sites
 
 WIDTH, HEIGHT, FRAMES = 320, 180, 5
 SHRINK = 2

@@ -15,22 +15,9 @@ import pytest
 from hypothesis import settings as property_settings
 from hypothesis import strategies as st
 
-from memorymaze.errors import CommandError, EpisodeOver
-from memorymaze.evaluation.named_settings import with_choices
-from memorymaze.evaluation.plan import RunPlan, plan_run
-from memorymaze.evaluation.provenance import CodeStamp
-from memorymaze.evaluation.results import EpisodeResult
-from memorymaze.evaluation.run_folder import RunRecord, open_run_folder
-from memorymaze.evaluation.settings import (
-    AgentSettings,
-    RunDefinition,
-    RunSettings,
-)
-from memorymaze.input_files import FileStamp
-from memorymaze.instructions import Corpus, load_corpus
-from memorymaze.robot.api import Detection, Direction, MoveResult, SignText, TurnResult
-from memorymaze.robot.specification import api_specification
-from memorymaze.routes import (
+from memorymaze.basics.errors import CommandError, EpisodeOver
+from memorymaze.basics.input_files import FileStamp
+from memorymaze.language.plans import (
     Arrival,
     Junction,
     Kind,
@@ -47,9 +34,28 @@ from memorymaze.routes import (
     Unit,
     Way,
 )
-from memorymaze.simulation.scene import Scene, build_scene
-from memorymaze.simulation.settings import SimulationSettings
-from memorymaze.sites import Site, load_site, load_sites
+from memorymaze.robot.api.control import (
+    Detection,
+    Direction,
+    MoveResult,
+    SignText,
+    TurnResult,
+)
+from memorymaze.robot.api.specification import api_specification
+from memorymaze.robot.simulation.scene import Scene, build_scene
+from memorymaze.robot.simulation.settings import SimulationSettings
+from memorymaze.runs.episodes.named_settings import with_choices
+from memorymaze.runs.episodes.plan import RunPlan, plan_run
+from memorymaze.runs.episodes.provenance import CodeStamp
+from memorymaze.runs.episodes.results import EpisodeResult
+from memorymaze.runs.episodes.settings import (
+    AgentSettings,
+    RunDefinition,
+    RunSettings,
+)
+from memorymaze.runs.work.run_folder import RunRecord, open_run_folder
+from memorymaze.texts.corpus import Corpus, load_corpus
+from memorymaze.world.sites import Site, load_site, load_sites
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page

@@ -6,7 +6,7 @@ import sys
 
 class CtrlC:
     def find_spec(self, name, *_):
-        if name == "memorymaze.cli.main":
+        if name == "memorymaze.front.cli.main":
             raise KeyboardInterrupt
 
 sys.meta_path.insert(0, CtrlC())

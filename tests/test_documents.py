@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import pytest
 
-from memorymaze.evaluation.run_folder import read_run
+from memorymaze.runs.work.run_folder import read_run
 
 PROJECT = Path(__file__).parents[1]
 NOTEBOOK = PROJECT / "examples" / "first_steps.ipynb"

@@ -64,7 +64,7 @@ def test_a_public_name_means_one_thing_in_the_house() -> None:
     homes: dict[str, list[str]] = {}
     for path, tree in sorted(trees.items()):
         home = _name(path)
-        is_verb = home.startswith("memorymaze.cli.")
+        is_verb = home.startswith("memorymaze.front.cli.")
         for name in _public_names(tree):
             is_own = name.isupper() and (home, name) not in imported
             if not is_own and not (is_verb and name == "add_parser"):

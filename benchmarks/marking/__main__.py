@@ -31,9 +31,9 @@ from benchmarks.marking.marked_texts import (
     ways_of,
 )
 from benchmarks.marking.recombining import Recombiner
-from memorymaze.understanding.marking.marks import Marker
-from memorymaze.understanding.marking.network import Network
-from memorymaze.understanding.marking.word_pieces import Word, WordPieces
+from memorymaze.language.reading.marking.marks import Marker
+from memorymaze.language.reading.marking.network import Network
+from memorymaze.language.reading.marking.word_pieces import Word, WordPieces
 
 WARMING, LAST_RATE, HEADS_RATE = 50, 0.02, 10.0
 """Steps until the full rate, its share in the end, and how much faster the heads learn."""

@@ -13,8 +13,8 @@ from safetensors.torch import load
 from torch import Tensor, nn
 
 from benchmarks.marking.marked_texts import MarkedWord
-from memorymaze.understanding.marking.network import HEADS, LONGEST, encoded
-from memorymaze.understanding.marking.word_pieces import Word, WordPieces
+from memorymaze.language.reading.marking.network import HEADS, LONGEST, encoded
+from memorymaze.language.reading.marking.word_pieces import Word, WordPieces
 
 SIZE, INNER, DROPOUT = 384, 1536, 0.1
 CASES, STEPS = 4, 3

@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from memorymaze.instructions import load_corpus
-from memorymaze.understanding.marking.marks import OF_NO_LEG, ends_leg
-from memorymaze.understanding.marking.word_pieces import Word, words_in
+from memorymaze.language.reading.marking.marks import OF_NO_LEG, ends_leg
+from memorymaze.language.reading.marking.word_pieces import Word, words_in
+from memorymaze.texts.corpus import load_corpus
 
 MARKED_TEXTS = Path("examples/marked_texts")
 TIMES = {"shipped": 2, "voices": 2}

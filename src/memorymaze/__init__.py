@@ -15,28 +15,28 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from memorymaze.agents.agent import Agent, Journal
-    from memorymaze.construction import make_building
-    from memorymaze.evaluation.settings import AgentSettings, RunSettings
-    from memorymaze.exporting import export_site
-    from memorymaze.importing import import_site
-    from memorymaze.instructions.corpus import load_corpus
-    from memorymaze.instructions.records import Corpus, Episode, Instruction
-    from memorymaze.language.model_settings import ModelSettings
-    from memorymaze.library.runs import (
+    from memorymaze.basics.tables import Table
+    from memorymaze.front.library.runs import (
         Comparison,
         Run,
         compare,
         evaluate,
         load_run,
     )
-    from memorymaze.library.walks import Walk, follow, make_robot
-    from memorymaze.robot.api import Robot
-    from memorymaze.robot.steps import SteppingRobot
-    from memorymaze.simulation.obstacles import ObstacleSettings
-    from memorymaze.simulation.settings import SimulationSettings
-    from memorymaze.sites.loading import load_site
-    from memorymaze.sites.records import Site
-    from memorymaze.tables import Table
+    from memorymaze.front.library.walks import Walk, follow, make_robot
+    from memorymaze.language.models.model_settings import ModelSettings
+    from memorymaze.robot.api.control import Robot
+    from memorymaze.robot.api.steps import SteppingRobot
+    from memorymaze.robot.simulation.obstacles import ObstacleSettings
+    from memorymaze.robot.simulation.settings import SimulationSettings
+    from memorymaze.runs.episodes.settings import AgentSettings, RunSettings
+    from memorymaze.texts.corpus.corpus import load_corpus
+    from memorymaze.texts.corpus.records import Corpus, Episode, Instruction
+    from memorymaze.world.construction import make_building
+    from memorymaze.world.exporting import export_site
+    from memorymaze.world.importing import import_site
+    from memorymaze.world.sites.loading import load_site
+    from memorymaze.world.sites.records import Site
 
 __version__ = "0.2.0"
 
@@ -73,22 +73,22 @@ __all__ = [
 
 _ROOMS = {
     "agents.agent": ("Agent", "Journal"),
-    "construction": ("make_building",),
-    "evaluation.settings": ("AgentSettings", "RunSettings"),
-    "exporting": ("export_site",),
-    "importing": ("import_site",),
-    "instructions.corpus": ("load_corpus",),
-    "instructions.records": ("Corpus", "Episode", "Instruction"),
-    "language.model_settings": ("ModelSettings",),
-    "library.runs": ("Comparison", "Run", "compare", "evaluate", "load_run"),
-    "library.walks": ("Walk", "follow", "make_robot"),
-    "robot.api": ("Robot",),
-    "robot.steps": ("SteppingRobot",),
-    "simulation.obstacles": ("ObstacleSettings",),
-    "simulation.settings": ("SimulationSettings",),
-    "sites.loading": ("load_site",),
-    "sites.records": ("Site",),
-    "tables": ("Table",),
+    "world.construction": ("make_building",),
+    "runs.episodes.settings": ("AgentSettings", "RunSettings"),
+    "world.exporting": ("export_site",),
+    "world.importing": ("import_site",),
+    "texts.corpus.corpus": ("load_corpus",),
+    "texts.corpus.records": ("Corpus", "Episode", "Instruction"),
+    "language.models.model_settings": ("ModelSettings",),
+    "front.library.runs": ("Comparison", "Run", "compare", "evaluate", "load_run"),
+    "front.library.walks": ("Walk", "follow", "make_robot"),
+    "robot.api.control": ("Robot",),
+    "robot.api.steps": ("SteppingRobot",),
+    "robot.simulation.obstacles": ("ObstacleSettings",),
+    "robot.simulation.settings": ("SimulationSettings",),
+    "world.sites.loading": ("load_site",),
+    "world.sites.records": ("Site",),
+    "basics.tables": ("Table",),
 }
 _MODULE_OF = {name: room for room, names in _ROOMS.items() for name in names}
 

@@ -6,7 +6,7 @@ import sys
 def main() -> int:
     """Run the command line; Ctrl-C while it is being loaded is no traceback either."""
     try:
-        from memorymaze.cli.main import run_command_line
+        from memorymaze.front.cli.main import run_command_line
 
         return run_command_line()
     except KeyboardInterrupt:

@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 
 from memorymaze.agents.agent import Agent, Journal
-from memorymaze.errors import EpisodeOver
-from memorymaze.geometry.pose import Pose
-from memorymaze.robot.api import Robot
-from memorymaze.simulation.robot import SimulatedRobot
-from memorymaze.simulation.scene import Scene
-from memorymaze.simulation.settings import SimulationSettings
-from memorymaze.steering.calls import TraceEvent
+from memorymaze.basics.errors import EpisodeOver
+from memorymaze.basics.geometry.pose import Pose
+from memorymaze.robot.api.control import Robot
+from memorymaze.robot.simulation.robot import SimulatedRobot
+from memorymaze.robot.simulation.scene import Scene
+from memorymaze.robot.simulation.settings import SimulationSettings
+from memorymaze.robot.steering.calls import TraceEvent
 
 STARTS = {
     "corridor": (2.0, 0.0, 0.0),

@@ -5,7 +5,7 @@ import pytest
 
 from memorymaze.agents.agent import Journal
 from memorymaze.agents.notes import Note, OwnNote
-from memorymaze.language.model import Completion, Usage
+from memorymaze.language.models.model import Completion, Usage
 
 
 def test_a_journal_counts_what_was_spent() -> None:

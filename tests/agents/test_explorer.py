@@ -15,12 +15,12 @@ from memorymaze.agents.explorer import (
     _destination_names,
 )
 from memorymaze.agents.notes import GaveUpNote
-from memorymaze.errors import EpisodeOver, SettingsError
-from memorymaze.geometry.pose import Pose
-from memorymaze.routes import Arrival
-from memorymaze.simulation.robot import SimulatedRobot
-from memorymaze.simulation.scene import build_scene
-from memorymaze.sites import Site, load_site
+from memorymaze.basics.errors import EpisodeOver, SettingsError
+from memorymaze.basics.geometry.pose import Pose
+from memorymaze.language.plans import Arrival
+from memorymaze.robot.simulation.robot import SimulatedRobot
+from memorymaze.robot.simulation.scene import build_scene
+from memorymaze.world.sites import Site, load_site
 
 NEAR = 3.0
 """Metres from a place that count as there."""

@@ -4,8 +4,8 @@ from pathlib import Path
 import pytest
 
 import memorymaze as mm
-from memorymaze.errors import SettingsError
-from memorymaze.language.spending import TokenPrice
+from memorymaze.basics.errors import SettingsError
+from memorymaze.language.models.spending import TokenPrice
 
 AGENT = """
 from pathlib import Path
@@ -45,7 +45,9 @@ def test_an_isolated_agent_walks_as_it_would_otherwise(
 @pytest.mark.parametrize(
     ("line", "said"),
     [
-        pytest.param("import memorymaze.sites", "cannot load the rooms", id="rooms"),
+        pytest.param(
+            "import memorymaze.world.sites", "cannot load the rooms", id="rooms"
+        ),
         pytest.param(
             "import memorymaze; memorymaze.load_site", "cannot load", id="front door"
         ),
@@ -130,7 +132,7 @@ def test_what_needs_the_answers_cannot_be_isolated(corridor: Path) -> None:
 
 
 ASKER = """
-from memorymaze.language.model import CompletionRequest, Message, ModelQuestion
+from memorymaze.language.models.model import CompletionRequest, Message, ModelQuestion
 
 class Asker:
     name = "asker"

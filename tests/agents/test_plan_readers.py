@@ -14,13 +14,20 @@ from memorymaze.agents.plan_readers import (
     WrittenPlanReader,
     read_plan_reply,
 )
-from memorymaze.cli.main import run_command_line
-from memorymaze.errors import LanguageModelError, PlanFileError
-from memorymaze.evaluation.settings import AgentSettings
-from memorymaze.language.scripted_model import ScriptedLanguageModel
-from memorymaze.library.walks import follow
-from memorymaze.routes import Arrival, Leg, RoutePlan, Turn, parse_plan, plan_record
-from memorymaze.sites import Site
+from memorymaze.basics.errors import LanguageModelError, PlanFileError
+from memorymaze.front.cli.main import run_command_line
+from memorymaze.front.library.walks import follow
+from memorymaze.language.models.scripted_model import ScriptedLanguageModel
+from memorymaze.language.plans import (
+    Arrival,
+    Leg,
+    RoutePlan,
+    Turn,
+    parse_plan,
+    plan_record,
+)
+from memorymaze.runs.episodes.settings import AgentSettings
+from memorymaze.world.sites import Site
 
 LEFT = '{"legs": [{"turn": {"way": "left"}}], "arrival": {"destinations": ["desk"]}}'
 TEXT = "Left somewhere, and there is the desk."

@@ -17,20 +17,20 @@ from PIL import Image
 from memorymaze.agents import see_and_go
 from memorymaze.agents.agent import Journal
 from memorymaze.agents.see_and_go import SeeAndGoAgent, SeeAndGoOptions
-from memorymaze.errors import EpisodeOver, LanguageModelError, SettingsError
-from memorymaze.evaluation.budgets import fair_limits
-from memorymaze.evaluation.episode import EpisodeRun
-from memorymaze.evaluation.navigation import navigate
-from memorymaze.evaluation.settings import AgentSettings
-from memorymaze.evaluation.trace_entries import NoteEntry
-from memorymaze.language.answers import AboutInstruction
-from memorymaze.language.model import CompletionRequest
-from memorymaze.language.model_settings import ModelSettings
-from memorymaze.language.scripted_model import ScriptedLanguageModel
-from memorymaze.simulation.robot import SimulatedRobot
-from memorymaze.simulation.scene import build_scene
-from memorymaze.simulation.settings import SimulationSettings
-from memorymaze.sites import Site
+from memorymaze.basics.errors import EpisodeOver, LanguageModelError, SettingsError
+from memorymaze.language.models.answers import AboutInstruction
+from memorymaze.language.models.model import CompletionRequest
+from memorymaze.language.models.model_settings import ModelSettings
+from memorymaze.language.models.scripted_model import ScriptedLanguageModel
+from memorymaze.robot.simulation.robot import SimulatedRobot
+from memorymaze.robot.simulation.scene import build_scene
+from memorymaze.robot.simulation.settings import SimulationSettings
+from memorymaze.runs.episodes.budgets import fair_limits
+from memorymaze.runs.episodes.episode import EpisodeRun
+from memorymaze.runs.episodes.navigation import navigate
+from memorymaze.runs.episodes.settings import AgentSettings
+from memorymaze.runs.episodes.trace_entries import NoteEntry
+from memorymaze.world.sites import Site
 
 AHEAD = '{"reason": "The way is free.", "action": "forward", "amount": 100}'
 LEFT = '{"reason": "It goes on there.", "action": "left", "amount": 90}'

@@ -17,9 +17,9 @@ from benchmarks.plan_walks import (
     walk_plans,
 )
 
-from memorymaze.evaluation.results import EpisodeResult
-from memorymaze.evaluation.settings import AgentSettings
-from memorymaze.sites import Site
+from memorymaze.runs.episodes.results import EpisodeResult
+from memorymaze.runs.episodes.settings import AgentSettings
+from memorymaze.world.sites import Site
 
 
 @pytest.fixture(scope="module")

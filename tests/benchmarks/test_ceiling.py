@@ -12,10 +12,10 @@ from benchmarks.ceiling import (
 
 from memorymaze.agents.guide.likelihoods import Likelihoods
 from memorymaze.agents.guide.starts import starts_ahead
-from memorymaze.geometry.pose import Pose
-from memorymaze.instructions import Corpus
-from memorymaze.routes import Arrival, Leg, RoutePlan, Turn
-from memorymaze.sites import Site
+from memorymaze.basics.geometry.pose import Pose
+from memorymaze.language.plans import Arrival, Leg, RoutePlan, Turn
+from memorymaze.texts.corpus import Corpus
+from memorymaze.world.sites import Site
 
 
 @pytest.fixture(scope="module")

@@ -7,10 +7,10 @@ import pytest
 from benchmarks.marking.marked_texts import load_marked_texts, marks_of, ways_of
 from benchmarks.marking.recombining import Recombiner, legs_of, mirrored
 
-from memorymaze.routes import RoutePlan
-from memorymaze.understanding.marking.marks import Mark
-from memorymaze.understanding.marking.plans import plan_of_marks
-from memorymaze.understanding.marking.word_pieces import Word
+from memorymaze.language.plans import RoutePlan
+from memorymaze.language.reading.marking.marks import Mark
+from memorymaze.language.reading.marking.plans import plan_of_marks
+from memorymaze.language.reading.marking.word_pieces import Word
 
 TEXTS = load_marked_texts(Path(__file__).parents[2] / "examples" / "marked_texts")
 

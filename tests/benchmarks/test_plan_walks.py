@@ -5,9 +5,9 @@ from pathlib import Path
 from benchmarks.plan_walks import PlanWalk, buildings, by_floors, estimates, given_plans
 from benchmarks.repair import KINDS, made_twins, mutants_of
 
-from memorymaze.evaluation.results import EpisodeResult
-from memorymaze.evaluation.settings import AgentSettings
-from memorymaze.writing.turning_point_graph import TurningPointGraph
+from memorymaze.runs.episodes.results import EpisodeResult
+from memorymaze.runs.episodes.settings import AgentSettings
+from memorymaze.texts.writing.turning_point_graph import TurningPointGraph
 
 
 def test_made_buildings_stand_beside_the_shipped_ones_and_can_be_told_wrongly(

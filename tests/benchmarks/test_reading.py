@@ -8,7 +8,7 @@ from benchmarks.reading import (
     recorded_plans,
 )
 
-from memorymaze.routes import Arrival, Leg, Length, Mention, RoutePlan, Turn
+from memorymaze.language.plans import Arrival, Leg, Length, Mention, RoutePlan, Turn
 
 CLOCK = Mention("clock", "object", "turn")
 TOLD = RoutePlan(

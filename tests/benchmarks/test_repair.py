@@ -13,11 +13,11 @@ from benchmarks.repair import (
     repair_rows,
 )
 
-from memorymaze.evaluation.results import EpisodeResult
-from memorymaze.routes import Arrival, Leg, RoutePlan, Turn
-from memorymaze.sites import Site
-from memorymaze.writing.route_facts import RouteFacts
-from memorymaze.writing.turning_point_graph import TurningPointGraph
+from memorymaze.language.plans import Arrival, Leg, RoutePlan, Turn
+from memorymaze.runs.episodes.results import EpisodeResult
+from memorymaze.texts.writing.route_facts import RouteFacts
+from memorymaze.texts.writing.turning_point_graph import TurningPointGraph
+from memorymaze.world.sites import Site
 
 SIDES = ("right", "left", "right", "left")
 """Of University R1; the first corner leaves no choice."""

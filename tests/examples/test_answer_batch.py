@@ -9,9 +9,9 @@ import pytest
 
 from memorymaze.agents.code_generation import CodeGenerationRequests
 from memorymaze.agents.code_generation.replies import read_program, read_steps
-from memorymaze.errors import EpisodeOver
-from memorymaze.language.batch_files import read_replies, request_line
-from memorymaze.language.sandbox import run_program
+from memorymaze.agents.code_generation.sandbox import run_program
+from memorymaze.basics.errors import EpisodeOver
+from memorymaze.language.models.batch_files import read_replies, request_line
 
 EXAMPLE = Path(__file__).parents[2] / "examples/answer_batch.py"
 

@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 
 import memorymaze as mm
-from memorymaze.evaluation.guarded_robot import GuardedRobot
-from memorymaze.simulation.robot import SimulatedRobot
-from memorymaze.simulation.scene import build_scene
+from memorymaze.robot.simulation.robot import SimulatedRobot
+from memorymaze.robot.simulation.scene import build_scene
+from memorymaze.runs.episodes.guarded_robot import GuardedRobot
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "depth_walker.py"
 

@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
-from memorymaze.instructions import load_corpus
-from memorymaze.instructions.records import DEVELOPED, is_of_split
+from memorymaze.texts.corpus import load_corpus
+from memorymaze.texts.corpus.records import DEVELOPED, is_of_split
 
 MARKED = Path(__file__).parents[2] / "examples" / "marked_texts"
 LABEL = re.compile(

@@ -15,7 +15,7 @@ import httpx2
 import pytest
 from PIL import Image
 
-from memorymaze.cli.main import run_command_line
+from memorymaze.front.cli.main import run_command_line
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "navid_server.py"
 AHEAD = "The next action is move forward 75 cm."

@@ -1,11 +1,11 @@
-"""The body of forty lines that docs/other_robots.md shows."""
+"""The body of forty lines that docs/bodies.md shows."""
 
 import runpy
 from pathlib import Path
 
 import pytest
 
-from memorymaze.steering.guide_robot import GuideRobot
+from memorymaze.robot.steering.guide_robot import GuideRobot
 from memorymaze.testing import check_robot
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "own_robot.py"

@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from memorymaze.instructions import load_corpus
-from memorymaze.language.answer_files import AnswerFile
-from memorymaze.results.tables import OVERVIEW, load_runs, paired_table
+from memorymaze.language.models.answer_files import AnswerFile
+from memorymaze.runs.tables import OVERVIEW, load_runs, paired_table
+from memorymaze.texts.corpus import load_corpus
 
 COMMAND = (sys.executable, "-m", "memorymaze")
 PROJECT = Path(__file__).parents[2]

@@ -14,11 +14,11 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from memorymaze.errors import DetectorError, SettingsError
-from memorymaze.own_code import find_own
-from memorymaze.perception.eyes import Eyes, parse_detector
-from memorymaze.perception.grounding_dino import ZeroShotFinder
-from memorymaze.perception.picture_detector import FoundBox
+from memorymaze.basics.errors import DetectorError, SettingsError
+from memorymaze.basics.own_code import find_own
+from memorymaze.robot.perception.eyes import Eyes, parse_detector
+from memorymaze.robot.perception.grounding_dino import ZeroShotFinder
+from memorymaze.robot.perception.picture_detector import FoundBox
 from memorymaze.testing import check_object_finder
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

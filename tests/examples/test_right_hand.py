@@ -6,9 +6,9 @@ from pathlib import Path
 import numpy as np
 
 from memorymaze.agents.agent import Journal
-from memorymaze.simulation.robot import SimulatedRobot
-from memorymaze.simulation.scene import build_scene
-from memorymaze.sites.records import Site
+from memorymaze.robot.simulation.robot import SimulatedRobot
+from memorymaze.robot.simulation.scene import build_scene
+from memorymaze.world.sites.records import Site
 
 ROOT = Path(__file__).parents[2]
 EXAMPLE = ROOT / "examples" / "right_hand.py"

@@ -12,11 +12,10 @@ import pytest
 from gymnasium.error import ResetNeeded
 from gymnasium.utils.env_checker import check_env
 from numpy.typing import NDArray
-from tests.evaluation import own_bodies
+from tests.runs.episodes import own_bodies
 
-from memorymaze.errors import InstructionFileError, SettingsError
-from memorymaze.evaluation.settings import RunSettings
-from memorymaze.geometry.pose import turn_between
+from memorymaze.basics.errors import InstructionFileError, SettingsError
+from memorymaze.basics.geometry.pose import turn_between
 from memorymaze.gym import (
     ENVIRONMENTS,
     ContinuousActions,
@@ -24,7 +23,8 @@ from memorymaze.gym import (
     Senses,
     register_environments,
 )
-from memorymaze.simulation.obstacles import ObstacleSettings
+from memorymaze.robot.simulation.obstacles import ObstacleSettings
+from memorymaze.runs.episodes.settings import RunSettings
 
 Settings = Callable[..., dict[str, Any]]
 MakeTiny = Callable[..., gymnasium.Env[Any, Any]]
@@ -389,7 +389,7 @@ def run(program: str) -> str:
             id="by the name of the package",
         ),
         pytest.param(
-            "import memorymaze.sites, gymnasium\n"
+            "import memorymaze.world.sites, gymnasium\n"
             "gymnasium.make('memorymaze.gym:MemoryMaze/Museum7F-v0', sensors=())",
             id="by the name of the room",
         ),
@@ -400,7 +400,9 @@ def test_gymnasium_finds_the_environments(program: str) -> None:
 
 
 def test_the_package_alone_does_not_load_gymnasium() -> None:
-    said = run("import memorymaze.cli.main, sys\nprint('gymnasium' in sys.modules)")
+    said = run(
+        "import memorymaze.front.cli.main, sys\nprint('gymnasium' in sys.modules)"
+    )
     assert said == "False\n"
 
 

@@ -14,18 +14,18 @@ from memorymaze.agents.navgpt import NavGPTAgent, NavGPTOptions
 from memorymaze.agents.navid import NavidAgent, NavidOptions
 from memorymaze.agents.see_and_go import SeeAndGoAgent, SeeAndGoOptions
 from memorymaze.agents.stop import StopAgent
-from memorymaze.errors import EpisodeOver
-from memorymaze.evaluation.guarded_robot import OracleAgent
-from memorymaze.geometry.pose import Pose
-from memorymaze.language.model import CompletionRequest
-from memorymaze.language.scripted_model import ScriptedLanguageModel
-from memorymaze.robot.api import Robot
-from memorymaze.robot.steps import SteppingRobot
-from memorymaze.simulation.robot import SimulatedRobot
-from memorymaze.simulation.scene import build_scene
-from memorymaze.simulation.settings import SimulationSettings
-from memorymaze.sites import Site
+from memorymaze.basics.errors import EpisodeOver
+from memorymaze.basics.geometry.pose import Pose
+from memorymaze.language.models.model import CompletionRequest
+from memorymaze.language.models.scripted_model import ScriptedLanguageModel
+from memorymaze.robot.api.control import Robot
+from memorymaze.robot.api.steps import SteppingRobot
+from memorymaze.robot.simulation.robot import SimulatedRobot
+from memorymaze.robot.simulation.scene import build_scene
+from memorymaze.robot.simulation.settings import SimulationSettings
+from memorymaze.runs.episodes.guarded_robot import OracleAgent
 from memorymaze.testing import check_agent
+from memorymaze.world.sites import Site
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 

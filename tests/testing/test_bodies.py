@@ -6,14 +6,14 @@ from typing import Any
 import numpy as np
 import pytest
 
-from memorymaze.geometry.pose import Pose
-from memorymaze.robot.sensors_and_motion import OdometryReading, SensorsAndMotion
-from memorymaze.robot.steps import LidarScan
-from memorymaze.simulation.body import SimulatedBody
-from memorymaze.simulation.scene import build_scene
-from memorymaze.simulation.settings import SimulationSettings
-from memorymaze.sites import Site
+from memorymaze.basics.geometry.pose import Pose
+from memorymaze.robot.api.sensors_and_motion import OdometryReading, SensorsAndMotion
+from memorymaze.robot.api.steps import LidarScan
+from memorymaze.robot.simulation.body import SimulatedBody
+from memorymaze.robot.simulation.scene import build_scene
+from memorymaze.robot.simulation.settings import SimulationSettings
 from memorymaze.testing import check_sensors_and_motion
+from memorymaze.world.sites import Site
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "own_robot.py"
 PointBody: Any = runpy.run_path(str(EXAMPLE))["PointBody"]

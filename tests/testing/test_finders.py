@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
-from tests.perception import own_finders
+from tests.robot.perception import own_finders
 
-from memorymaze.perception import ObjectFinder
+from memorymaze.robot.perception import ObjectFinder
 from memorymaze.testing import check_object_finder
 
 PICTURE = np.full((480, 640, 3), 128, dtype=np.uint8)

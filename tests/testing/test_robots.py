@@ -4,17 +4,23 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from memorymaze.evaluation.guarded_robot import GuardedRobot
-from memorymaze.geometry.pose import Pose
-from memorymaze.perception.eyes import Eyes, parse_detector
-from memorymaze.robot.api import Detection, Direction, MoveResult, Robot, TurnResult
-from memorymaze.robot.steps import LidarScan
-from memorymaze.simulation.obstacles import parse_obstacles
-from memorymaze.simulation.robot import SimulatedRobot
-from memorymaze.simulation.scene import build_scene
-from memorymaze.simulation.settings import SimulationSettings
-from memorymaze.sites import Site
+from memorymaze.basics.geometry.pose import Pose
+from memorymaze.robot.api.control import (
+    Detection,
+    Direction,
+    MoveResult,
+    Robot,
+    TurnResult,
+)
+from memorymaze.robot.api.steps import LidarScan
+from memorymaze.robot.perception.eyes import Eyes, parse_detector
+from memorymaze.robot.simulation.obstacles import parse_obstacles
+from memorymaze.robot.simulation.robot import SimulatedRobot
+from memorymaze.robot.simulation.scene import build_scene
+from memorymaze.robot.simulation.settings import SimulationSettings
+from memorymaze.runs.episodes.guarded_robot import GuardedRobot
 from memorymaze.testing import check_robot
+from memorymaze.world.sites import Site
 
 
 class Deaf(SimulatedRobot):

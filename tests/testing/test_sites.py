@@ -2,8 +2,8 @@ from pathlib import Path
 
 import pytest
 
-from memorymaze.sites import BUILTIN_SITE_NAMES, plan_file
 from memorymaze.testing import check_site
+from memorymaze.world.sites import BUILTIN_SITE_NAMES, plan_file
 
 
 @pytest.mark.parametrize("name", BUILTIN_SITE_NAMES)

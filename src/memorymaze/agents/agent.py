@@ -16,8 +16,12 @@ from memorymaze.agents.notes import (
     Note,
     OwnNote,
 )
-from memorymaze.language.model import Completion, CompletionRequest, LanguageModel
-from memorymaze.robot.steps import SteppingRobot
+from memorymaze.language.models.model import (
+    Completion,
+    CompletionRequest,
+    LanguageModel,
+)
+from memorymaze.robot.api.steps import SteppingRobot
 
 Need = Literal["language_model", "graph", "camera", "steps", "answers"]
 """What an agent needs besides text and robot: a language model to ask, the site's

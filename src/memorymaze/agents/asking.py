@@ -6,15 +6,15 @@ from typing import TypeVar
 
 from memorymaze.agents.agent import Journal
 from memorymaze.agents.notes import UnusableReplyNote
-from memorymaze.errors import LanguageModelError
-from memorymaze.input_files import shown
-from memorymaze.language.model import (
+from memorymaze.basics.errors import LanguageModelError
+from memorymaze.basics.input_files import shown
+from memorymaze.language.models.model import (
     CompletionRequest,
     LanguageModel,
     Message,
     ModelQuestion,
 )
-from memorymaze.language.prompt_texts import load_prompt
+from memorymaze.language.models.prompt_texts import load_prompt
 
 TRIES = 2
 """Requests for an answer, where a reply is none."""

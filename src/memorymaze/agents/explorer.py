@@ -18,16 +18,16 @@ from memorymaze.agents.notes import (
 from memorymaze.agents.plan_readers import ReaderOptions, ReadsFirst
 from memorymaze.agents.walking.floor_map import Sighting
 from memorymaze.agents.walking.walker import BACK, Walker
-from memorymaze.geometry.pose import wrap_angle
-from memorymaze.language.model import LanguageModel
-from memorymaze.options import check_number
-from memorymaze.robot.api import Robot
-from memorymaze.routes import Arrival
-from memorymaze.understanding import (
+from memorymaze.basics.geometry.pose import wrap_angle
+from memorymaze.basics.options import check_number
+from memorymaze.language.models.model import LanguageModel
+from memorymaze.language.plans import Arrival
+from memorymaze.language.reading import (
     is_common,
     is_floor,
     place_on_sign,
 )
+from memorymaze.robot.api.control import Robot
 
 
 @dataclass(frozen=True, slots=True)

@@ -30,23 +30,23 @@ from memorymaze.agents.agent import (
     asking_of,
 )
 from memorymaze.agents.notes import TracebackNote
-from memorymaze.errors import (
+from memorymaze.basics.errors import (
     EpisodeOver,
     LanguageModelError,
     MemoryMazeError,
     SettingsError,
 )
-from memorymaze.failures import failure_line, failure_traceback
-from memorymaze.language.model import (
+from memorymaze.basics.failures import failure_line, failure_traceback
+from memorymaze.basics.processes import die_with_parent, main_left_out
+from memorymaze.language.models.model import (
     Completion,
     CompletionRequest,
     LanguageModel,
     stages_answered,
     takes_pictures,
 )
-from memorymaze.processes import die_with_parent, main_left_out
-from memorymaze.robot.api import Robot
-from memorymaze.robot.steps import SteppingRobot
+from memorymaze.robot.api.control import Robot
+from memorymaze.robot.api.steps import SteppingRobot
 
 ROOMS_WITH_ANSWERS = (
     "cli",

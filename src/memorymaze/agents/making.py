@@ -17,11 +17,11 @@ from functools import partial
 from typing import Any, cast, get_args
 
 from memorymaze.agents.agent import Agent, Need
-from memorymaze.errors import SettingsError
-from memorymaze.failures import failure_line
-from memorymaze.language.model import LanguageModel
-from memorymaze.options import read_options
-from memorymaze.own_code import checked_options, find_own
+from memorymaze.basics.errors import SettingsError
+from memorymaze.basics.failures import failure_line
+from memorymaze.basics.options import read_options
+from memorymaze.basics.own_code import checked_options, find_own
+from memorymaze.language.models.model import LanguageModel
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,19 +19,19 @@ from memorymaze.agents.agent import (
     tellings_of,
 )
 from memorymaze.agents.asking import ask_until_read, object_in
-from memorymaze.errors import PlanFileError, SettingsError
-from memorymaze.input_files import parse_record
-from memorymaze.language.model import (
+from memorymaze.basics.errors import PlanFileError, SettingsError
+from memorymaze.basics.input_files import parse_record
+from memorymaze.language.models.model import (
     CompletionRequest,
     LanguageModel,
     Message,
     ModelQuestion,
 )
-from memorymaze.language.prompt_texts import load_prompt, prompt_version
-from memorymaze.routes import RoutePlan, parse_plan
-from memorymaze.routes.grammar import plan_grammar
-from memorymaze.understanding import parse_route_description
-from memorymaze.understanding.marking import read_by_marks
+from memorymaze.language.models.prompt_texts import load_prompt, prompt_version
+from memorymaze.language.plans import RoutePlan, parse_plan
+from memorymaze.language.plans.grammar import plan_grammar
+from memorymaze.language.reading import parse_route_description
+from memorymaze.language.reading.marking import read_by_marks
 
 ReaderName = Literal["both", "grammar", "learned", "model", "plan"]
 """The grammar and the network that was trained, one of them, a language model, or nobody:

@@ -18,8 +18,9 @@ from memorymaze.agents.asking import ask_until_read
 from memorymaze.agents.navid.motions import Command, Motions, frame_name
 from memorymaze.agents.navid.replies import navid_reply_grammar, read_navid_reply
 from memorymaze.agents.notes import SaidAndDoneNote
-from memorymaze.errors import EpisodeOver, SettingsError
-from memorymaze.language.model import (
+from memorymaze.basics.errors import EpisodeOver, SettingsError
+from memorymaze.basics.options import check_least, check_number
+from memorymaze.language.models.model import (
     CompletionRequest,
     LanguageModel,
     Message,
@@ -27,9 +28,8 @@ from memorymaze.language.model import (
     Picture,
     takes_pictures,
 )
-from memorymaze.language.prompt_texts import load_prompt, prompt_version
-from memorymaze.options import check_least, check_number
-from memorymaze.robot.steps import SteppingRobot
+from memorymaze.language.models.prompt_texts import load_prompt, prompt_version
+from memorymaze.robot.api.steps import SteppingRobot
 
 MOTIONS = Motions(forward_m=0.5, turn_deg=30, most=6)
 """One move: up to 3 m ahead, or a turn on the spot by up to 180 degrees."""

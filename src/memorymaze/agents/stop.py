@@ -3,7 +3,7 @@
 import numpy as np
 
 from memorymaze.agents.agent import Journal
-from memorymaze.robot.api import Robot
+from memorymaze.robot.api.control import Robot
 
 
 class StopAgent:

@@ -12,13 +12,13 @@ from typing import Any, Literal
 import numpy as np
 from gymnasium import spaces
 
-from memorymaze.errors import SettingsError
-from memorymaze.evaluation.budgets import perfect_time
-from memorymaze.geometry import polyline
-from memorymaze.options import check_number
-from memorymaze.simulation.robot import SimulatedRobot
-from memorymaze.simulation.settings import SimulationSettings
-from memorymaze.sites import Route
+from memorymaze.basics.errors import SettingsError
+from memorymaze.basics.geometry import polyline
+from memorymaze.basics.options import check_number
+from memorymaze.robot.simulation.robot import SimulatedRobot
+from memorymaze.robot.simulation.settings import SimulationSettings
+from memorymaze.runs.episodes.budgets import perfect_time
+from memorymaze.world.sites import Route
 
 
 @dataclass(frozen=True, slots=True)

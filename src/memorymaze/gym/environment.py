@@ -13,23 +13,23 @@ import numpy as np
 from gymnasium.error import ResetNeeded
 from numpy.typing import NDArray
 
-from memorymaze.errors import EpisodeOver, SettingsError, did_you_mean
-from memorymaze.evaluation.arena import Arena
-from memorymaze.evaluation.bodies import BodySettings, find_body
-from memorymaze.evaluation.named_settings import with_choices
-from memorymaze.evaluation.settings import RunSettings
+from memorymaze.basics.errors import EpisodeOver, SettingsError, did_you_mean
+from memorymaze.basics.options import check_number
 from memorymaze.gym.actions import ActionSet, action_set, most_steps
 from memorymaze.gym.observations import Senses, SensorChoice, senses_of
 from memorymaze.gym.rewards import RewardChoice, StepProgress, reward_settings
-from memorymaze.instructions.corpus import episodes
-from memorymaze.instructions.files import load_instructions
-from memorymaze.instructions.records import Episode, is_of_split
-from memorymaze.options import check_number
-from memorymaze.pictures import Looks
-from memorymaze.simulation.obstacles import ObstacleSettings
-from memorymaze.simulation.robot import SimulatedRobot
-from memorymaze.simulation.senses.noise import NoiseSettings
-from memorymaze.sites import Site, load_site
+from memorymaze.robot.simulation.obstacles import ObstacleSettings
+from memorymaze.robot.simulation.robot import SimulatedRobot
+from memorymaze.robot.simulation.senses.noise import NoiseSettings
+from memorymaze.runs.episodes.arena import Arena
+from memorymaze.runs.episodes.bodies import BodySettings, find_body
+from memorymaze.runs.episodes.named_settings import with_choices
+from memorymaze.runs.episodes.settings import RunSettings
+from memorymaze.texts.corpus.corpus import episodes
+from memorymaze.texts.corpus.files import load_instructions
+from memorymaze.texts.corpus.records import Episode, is_of_split
+from memorymaze.world.looks import Looks
+from memorymaze.world.sites import Site, load_site
 
 Observation = dict[str, Any]
 Information = dict[str, Any]
@@ -69,7 +69,7 @@ class NavigationEnvironment(gymnasium.Env[Observation, Any]):
     An observation is a dict: `instruction`, and what `sensors` names: `rgb`, `depth`
     in metres, `lidar` ranges in metres (360 rays from straight behind, over the right,
     to the left). It terminates when the agent stops, and is truncated when it has used
-    up its steps or keeps on doing nothing. See `docs/gymnasium.md`.
+    up its steps or keeps on doing nothing. See `docs/simulators.md`.
     """
 
     # Gymnasium wants a plain dict here, and declares it without ClassVar.

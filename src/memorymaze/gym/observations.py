@@ -17,10 +17,10 @@ from gymnasium import spaces
 from gymnasium.spaces import Text
 from gymnasium.vector.utils import read_from_shared_memory
 
-from memorymaze.errors import SettingsError
-from memorymaze.options import check_number
-from memorymaze.simulation.robot import SimulatedRobot
-from memorymaze.simulation.senses.lidar_settings import LidarSettings
+from memorymaze.basics.errors import SettingsError
+from memorymaze.basics.options import check_number
+from memorymaze.robot.simulation.robot import SimulatedRobot
+from memorymaze.robot.simulation.senses.lidar_settings import LidarSettings
 
 Sensor = Literal["rgb", "depth", "lidar"]
 SENSORS: tuple[Sensor, ...] = ("rgb", "depth", "lidar")

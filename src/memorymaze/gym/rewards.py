@@ -4,8 +4,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from typing import Any, Literal
 
-from memorymaze.errors import SettingsError
-from memorymaze.options import check_number
+from memorymaze.basics.errors import SettingsError
+from memorymaze.basics.options import check_number
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,7 +1,10 @@
-"""What a guide robot can be asked to do: the control API and its records, as roles.
+"""Robot: what it can be asked, what it perceives, how it drives, and its bodies.
 
-`api.Robot` is what programs, agents and people call, and its docstrings are what language
-models are told (`specification`); `steps.SteppingRobot` adds single steps, pictures and
-scans, `viewpoints.ViewpointRobot` goes along a graph. No robot is in here: the one there
-is drives in `simulation`, and what an agent decides is in `agents`.
+`api` is the control API as protocols, and the text that models are told of it;
+`perception` finds things, signs and turning points; `steering` is the `GuideRobot` upon
+the sensors and motions of any body; `simulation` is the body in MuJoCo with obstacles and
+people, `carla` the one in CARLA. Only the last two know buildings.
+
+Way in: `api.Robot` for who drives, `api.sensors_and_motion` for who brings a body.
+To read first: `api/control.py`, `steering/guide_robot.py`.
 """

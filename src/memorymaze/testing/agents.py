@@ -7,21 +7,21 @@ import numpy as np
 
 from memorymaze.agents.agent import Agent, FairLimits, Journal
 from memorymaze.agents.making import checked_agent, checked_needs
-from memorymaze.errors import (
+from memorymaze.basics.errors import (
     EpisodeOver,
     LanguageModelError,
     ProgramError,
     SettingsError,
 )
-from memorymaze.evaluation.guarded_robot import hand_over
-from memorymaze.failures import failure_line
-from memorymaze.robot.specification import API_NAMES
-from memorymaze.robot.steps import SteppingRobot
-from memorymaze.simulation.robot import SimulatedRobot
-from memorymaze.simulation.scene import build_scene
-from memorymaze.simulation.settings import SimulationSettings
-from memorymaze.sites import load_site
+from memorymaze.basics.failures import failure_line
+from memorymaze.robot.api.specification import API_NAMES
+from memorymaze.robot.api.steps import SteppingRobot
+from memorymaze.robot.simulation.robot import SimulatedRobot
+from memorymaze.robot.simulation.scene import build_scene
+from memorymaze.robot.simulation.settings import SimulationSettings
+from memorymaze.runs.episodes.guarded_robot import hand_over
 from memorymaze.testing.expectation import expect
+from memorymaze.world.sites import load_site
 
 INSTRUCTIONS = (
     "Go straight ahead to the end, turn left there, and stop at the second door.",

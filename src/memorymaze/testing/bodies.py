@@ -5,10 +5,10 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from memorymaze.errors import RenderingError
-from memorymaze.geometry.pose import turn_between
-from memorymaze.robot.sensors_and_motion import OdometryReading, SensorsAndMotion
-from memorymaze.robot.steps import LidarScan
+from memorymaze.basics.errors import RenderingError
+from memorymaze.basics.geometry.pose import turn_between
+from memorymaze.robot.api.sensors_and_motion import OdometryReading, SensorsAndMotion
+from memorymaze.robot.api.steps import LidarScan
 from memorymaze.testing.expectation import expect
 
 SPEED, TURN_RATE = 0.25, 0.5

@@ -3,9 +3,9 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from memorymaze.errors import DetectorError, SettingsError
-from memorymaze.perception.own_finder import OwnFinder
-from memorymaze.perception.picture_detector import FoundBox, ObjectFinder
+from memorymaze.basics.errors import DetectorError, SettingsError
+from memorymaze.robot.perception.own_finder import OwnFinder
+from memorymaze.robot.perception.picture_detector import FoundBox, ObjectFinder
 from memorymaze.testing.expectation import expect
 
 QUERIES = (

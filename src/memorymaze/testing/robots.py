@@ -5,8 +5,8 @@ from typing import cast
 
 import numpy as np
 
-from memorymaze.errors import EpisodeOver, RenderingError
-from memorymaze.robot.api import (
+from memorymaze.basics.errors import EpisodeOver, RenderingError
+from memorymaze.robot.api.control import (
     DETECTION_RANGE,
     DIRECTIONS,
     READING_RANGE,
@@ -16,7 +16,7 @@ from memorymaze.robot.api import (
     SignText,
     TurnResult,
 )
-from memorymaze.robot.steps import SteppingRobot
+from memorymaze.robot.api.steps import SteppingRobot
 from memorymaze.testing.expectation import expect
 
 SLACK = 0.05

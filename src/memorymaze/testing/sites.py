@@ -5,16 +5,16 @@ from pathlib import Path
 
 import numpy as np
 
-from memorymaze.errors import EpisodeOver
-from memorymaze.evaluation.arena import Arena
-from memorymaze.evaluation.budgets import perfect_time
-from memorymaze.evaluation.results import route_turns_in_order
-from memorymaze.metrics.score import score_walk
-from memorymaze.simulation.robot import SimulatedRobot
-from memorymaze.simulation.settings import SimulationSettings
-from memorymaze.sites import Route, load_site
-from memorymaze.sites import find_site_problems as find_problems
+from memorymaze.basics.errors import EpisodeOver
+from memorymaze.robot.simulation.robot import SimulatedRobot
+from memorymaze.robot.simulation.settings import SimulationSettings
+from memorymaze.runs.episodes.arena import Arena
+from memorymaze.runs.episodes.budgets import perfect_time
+from memorymaze.runs.episodes.results import route_turns_in_order
+from memorymaze.runs.metrics.score import score_walk
 from memorymaze.testing.expectation import expect
+from memorymaze.world.sites import Route, load_site
+from memorymaze.world.sites import find_site_problems as find_problems
 
 COVERAGE = 0.9
 """CLS of a perfect follower, at least."""
@@ -30,7 +30,7 @@ def check_site(plan: str | Path) -> None:
     arrive, cover the route (CLS >= 0.9), take its turns, and touch nothing.
 
     Args:
-        plan: A file in the format of `docs/site_plans.md`.
+        plan: A file in the format of `docs/buildings.md`.
 
     Raises:
         AssertionError: The plan has errors, or names a route that cannot be driven.

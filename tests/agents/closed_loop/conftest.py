@@ -16,10 +16,10 @@ from memorymaze.agents.guide.arriving import Ending
 from memorymaze.agents.guide.choosing import _Step
 from memorymaze.agents.guide.search import Search
 from memorymaze.agents.walking.floor_map import Crossing, FloorMap, Sighting, Stretch
-from memorymaze.geometry.pose import wrap_angle
-from memorymaze.language.model import CompletionRequest
-from memorymaze.language.scripted_model import ScriptedLanguageModel
-from memorymaze.routes import RoutePlan
+from memorymaze.basics.geometry.pose import wrap_angle
+from memorymaze.language.models.model import CompletionRequest
+from memorymaze.language.models.scripted_model import ScriptedLanguageModel
+from memorymaze.language.plans import RoutePlan
 
 _HERE = re.compile(r"The robot is at place (-?\d+) after (\d+) m\.")
 _PLACE = re.compile(r"^Place (-?\d+) \([^)]*\): (.*)\.$", re.MULTILINE)

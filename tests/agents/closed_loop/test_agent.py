@@ -17,23 +17,27 @@ from memorymaze.agents.closed_loop.walk_log import WalkLog
 from memorymaze.agents.notes import RepairNote
 from memorymaze.agents.plan_readers import read_plan_reply
 from memorymaze.agents.walking.walker import Walker
-from memorymaze.errors import LanguageModelError, SettingsError
-from memorymaze.evaluation.navigation import navigate
-from memorymaze.evaluation.sampling import sample
-from memorymaze.evaluation.settings import AgentSettings
-from memorymaze.evaluation.trace_entries import NoteEntry
-from memorymaze.geometry.pose import Pose
-from memorymaze.instructions import load_corpus
-from memorymaze.language.answers import AboutInstruction, RecordingModel, ReplayingModel
-from memorymaze.language.model_settings import ModelSettings
-from memorymaze.language.scripted_model import ScriptedLanguageModel
-from memorymaze.routes import RoutePlan
-from memorymaze.simulation.robot import SimulatedRobot
-from memorymaze.simulation.scene import Scene
-from memorymaze.simulation.settings import SimulationSettings
-from memorymaze.sites import BUILTIN_SITE_NAMES, Route, Site
-from memorymaze.writing.route_facts import RouteFacts
-from memorymaze.writing.turning_point_graph import TurningPointGraph
+from memorymaze.basics.errors import LanguageModelError, SettingsError
+from memorymaze.basics.geometry.pose import Pose
+from memorymaze.language.models.answers import (
+    AboutInstruction,
+    RecordingModel,
+    ReplayingModel,
+)
+from memorymaze.language.models.model_settings import ModelSettings
+from memorymaze.language.models.scripted_model import ScriptedLanguageModel
+from memorymaze.language.plans import RoutePlan
+from memorymaze.robot.simulation.robot import SimulatedRobot
+from memorymaze.robot.simulation.scene import Scene
+from memorymaze.robot.simulation.settings import SimulationSettings
+from memorymaze.runs.episodes.navigation import navigate
+from memorymaze.runs.episodes.sampling import sample
+from memorymaze.runs.episodes.settings import AgentSettings
+from memorymaze.runs.episodes.trace_entries import NoteEntry
+from memorymaze.texts.corpus import load_corpus
+from memorymaze.texts.writing.route_facts import RouteFacts
+from memorymaze.texts.writing.turning_point_graph import TurningPointGraph
+from memorymaze.world.sites import BUILTIN_SITE_NAMES, Route, Site
 
 REPLIES = Path(__file__).with_name("wrong_side.jsonl")
 RECORDED = Path(__file__).parents[3] / "examples/recorded/plans.jsonl"

@@ -7,8 +7,8 @@ from memorymaze.agents.closed_loop.questions import DecisionQuestions, decision_
 from memorymaze.agents.closed_loop.walk_log import WalkLog
 from memorymaze.agents.notes import UnusableReplyNote
 from memorymaze.agents.walking.floor_map import FloorMap
-from memorymaze.errors import LanguageModelError
-from memorymaze.language.scripted_model import ScriptedLanguageModel
+from memorymaze.basics.errors import LanguageModelError
+from memorymaze.language.models.scripted_model import ScriptedLanguageModel
 
 
 def ask(

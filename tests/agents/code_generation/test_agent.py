@@ -11,17 +11,17 @@ from memorymaze.agents.code_generation import (
     CodeGenerationOptions,
 )
 from memorymaze.agents.notes import ModelReplyNote
-from memorymaze.errors import (
+from memorymaze.basics.errors import (
     EpisodeOver,
     LanguageModelError,
     ProgramError,
     SettingsError,
 )
-from memorymaze.language.scripted_model import ScriptedLanguageModel
-from memorymaze.robot.api import MoveResult
-from memorymaze.robot.specification import API_NAMES, api_specification
-from memorymaze.simulation.robot import SimulatedRobot
-from memorymaze.simulation.scene import build_scene
+from memorymaze.language.models.scripted_model import ScriptedLanguageModel
+from memorymaze.robot.api.control import MoveResult
+from memorymaze.robot.api.specification import API_NAMES, api_specification
+from memorymaze.robot.simulation.robot import SimulatedRobot
+from memorymaze.robot.simulation.scene import build_scene
 
 UNPARSED = CodeGenerationOptions(parser=False)
 

@@ -11,9 +11,9 @@ from memorymaze.agents.code_generation.replies import (
     read_steps,
     steps_grammar,
 )
-from memorymaze.errors import EpisodeOver, LanguageModelError
-from memorymaze.language.sandbox import run_program
-from memorymaze.robot.specification import API_NAMES
+from memorymaze.agents.code_generation.sandbox import run_program
+from memorymaze.basics.errors import EpisodeOver, LanguageModelError
+from memorymaze.robot.api.specification import API_NAMES
 
 GOOD_STEPS = """Thought: left, then 2. maybe right.
 First steps:

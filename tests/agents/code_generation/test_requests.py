@@ -11,9 +11,9 @@ from memorymaze.agents.code_generation import (
     CodeGenerationOptions,
     CodeGenerationRequests,
 )
-from memorymaze.language.answers import AboutInstruction, ReplayingModel
-from memorymaze.language.model import CompletionRequest
-from memorymaze.language.scripted_model import ScriptedLanguageModel
+from memorymaze.language.models.answers import AboutInstruction, ReplayingModel
+from memorymaze.language.models.model import CompletionRequest
+from memorymaze.language.models.scripted_model import ScriptedLanguageModel
 
 OLDER = {"parse+parser": "91495d0fcebb", "program+parser": "9452669bba95"}
 """Versions of the prompts before the control API had `turn_by`."""

@@ -21,12 +21,12 @@ from memorymaze.agents.walking.floor_map import (
     Stretch,
 )
 from memorymaze.agents.walking.walker import Walker
-from memorymaze.geometry.pose import Pose
-from memorymaze.routes import Arrival, Length, Mention, RoutePlan
-from memorymaze.simulation.robot import SimulatedRobot
-from memorymaze.simulation.scene import build_scene
-from memorymaze.simulation.settings import SimulationSettings
-from memorymaze.sites import load_site
+from memorymaze.basics.geometry.pose import Pose
+from memorymaze.language.plans import Arrival, Length, Mention, RoutePlan
+from memorymaze.robot.simulation.robot import SimulatedRobot
+from memorymaze.robot.simulation.scene import build_scene
+from memorymaze.robot.simulation.settings import SimulationSettings
+from memorymaze.world.sites import load_site
 
 EAST, WEST = (12.0, 0.0), (-12.0, 0.0)
 BOTH_WAYS = [AssumedStart(0, 0.0, 0, 0.5), AssumedStart(0, math.pi, 1, 0.5)]

@@ -10,9 +10,9 @@ from memorymaze.agents.agent import TOLD_AGAIN, Journal
 from memorymaze.agents.guide import GuideAgent
 from memorymaze.agents.guide.agent import GuideOptions
 from memorymaze.agents.guide.asking import Inquiry, Situation, destination_names
-from memorymaze.robot.api import Robot
-from memorymaze.robot.asking import Question
-from memorymaze.understanding import parse_route_description
+from memorymaze.language.reading import parse_route_description
+from memorymaze.robot.api.asking import Question
+from memorymaze.robot.api.control import Robot
 
 Walk = Any
 TakeWalk = Callable[..., Walk]

@@ -15,8 +15,8 @@ from memorymaze.agents.guide.likelihoods import Likelihoods, untold_length
 from memorymaze.agents.guide.starts import starts_ahead
 from memorymaze.agents.guide.things import Things
 from memorymaze.agents.walking.floor_map import Crossing, FloorMap, Sighting, Stretch
-from memorymaze.routes import Arrival, Leg, RoutePlan, Turn
-from memorymaze.understanding import ANY_FLOOR, parse_route_description
+from memorymaze.language.plans import Arrival, Leg, RoutePlan, Turn
+from memorymaze.language.reading import ANY_FLOOR, parse_route_description
 
 AHEAD, LEFT, RIGHT, BACK = 0.0, math.pi / 2, -math.pi / 2, math.pi
 EAST, NORTH, SOUTH, WEST = AHEAD, LEFT, RIGHT, BACK

@@ -29,7 +29,7 @@ from memorymaze.agents.guide.likelihoods import (
     way_ratio,
 )
 from memorymaze.agents.walking.choices import Choices, choices_at
-from memorymaze.routes import Junction, Length, Passing, Turn, Unit, Way
+from memorymaze.language.plans import Junction, Length, Passing, Turn, Unit, Way
 
 MODEL = Likelihoods()
 AHEAD, LEFT, RIGHT, BACK = 0.0, math.pi / 2, -math.pi / 2, math.pi

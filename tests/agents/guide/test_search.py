@@ -9,8 +9,8 @@ import pytest
 
 from memorymaze.agents.guide import GuideAgent
 from memorymaze.agents.guide.agent import GuideOptions
-from memorymaze.robot.api import Robot
-from memorymaze.robot.specification import API_NAMES
+from memorymaze.robot.api.control import Robot
+from memorymaze.robot.api.specification import API_NAMES
 
 Walk = Any
 TakeWalk = Callable[..., Walk]

@@ -8,8 +8,8 @@ from memorymaze.agents.guide.likelihoods import Likelihoods
 from memorymaze.agents.guide.starts import starts_ahead
 from memorymaze.agents.guide.tellings import Tellings
 from memorymaze.agents.walking.floor_map import Crossing, FloorMap
-from memorymaze.routes import Leg, RoutePlan, Turn, Way
-from memorymaze.understanding import parse_route_description
+from memorymaze.language.plans import Leg, RoutePlan, Turn, Way
+from memorymaze.language.reading import parse_route_description
 
 
 def plan_to(way: Way) -> RoutePlan:

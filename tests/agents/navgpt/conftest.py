@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 
 import pytest
 
-from memorymaze.robot.viewpoints import (
+from memorymaze.robot.api.viewpoints import (
     Journey,
     Outlook,
     Panorama,

@@ -7,9 +7,9 @@ import pytest
 from memorymaze.agents.agent import FairLimits, Journal
 from memorymaze.agents.navgpt import LoopLimits, NavGPTAgent, NavGPTOptions
 from memorymaze.agents.navgpt.agent import loop_limits
-from memorymaze.errors import EpisodeOver, LanguageModelError, SettingsError
-from memorymaze.language.scripted_model import ScriptedLanguageModel
-from memorymaze.options import read_options
+from memorymaze.basics.errors import EpisodeOver, LanguageModelError, SettingsError
+from memorymaze.basics.options import read_options
+from memorymaze.language.models.scripted_model import ScriptedLanguageModel
 
 Make = Callable[..., Any]
 Go = Callable[[str], str]

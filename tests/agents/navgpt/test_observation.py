@@ -19,7 +19,7 @@ from memorymaze.agents.navgpt.observation import (
     sector_of,
     ways_text,
 )
-from memorymaze.robot.viewpoints import Panorama, SeenThing, WayOn
+from memorymaze.robot.api.viewpoints import Panorama, SeenThing, WayOn
 
 Look = Callable[..., Panorama]
 JUST_WEST_OF_NORTH = math.pi / 2 + math.radians(0.001)

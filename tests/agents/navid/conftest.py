@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from memorymaze.errors import EpisodeOver
+from memorymaze.basics.errors import EpisodeOver
 
 
 class FloorRobot:

@@ -9,13 +9,18 @@ from PIL import Image
 from memorymaze.agents.agent import Agent, FairLimits, Journal
 from memorymaze.agents.navid import NavidAgent, NavidOptions
 from memorymaze.agents.notes import OutOfStepsNote
-from memorymaze.errors import (
+from memorymaze.basics.errors import (
     CommandError,
     EpisodeOver,
     LanguageModelError,
     SettingsError,
 )
-from memorymaze.language.model import Completion, CompletionRequest, Picture, Usage
+from memorymaze.language.models.model import (
+    Completion,
+    CompletionRequest,
+    Picture,
+    Usage,
+)
 
 TEXT = "Down the hall, then left."
 UNUSED = "Your last answer could not be used"

@@ -16,9 +16,9 @@ from memorymaze.agents.navid.model_policy import (
 )
 from memorymaze.agents.navid.motions import Command, Motions
 from memorymaze.agents.navid.replies import navid_reply_grammar, read_navid_reply
-from memorymaze.errors import EpisodeOver
-from memorymaze.language.model import CompletionRequest, Picture
-from memorymaze.language.scripted_model import ScriptedLanguageModel
+from memorymaze.basics.errors import EpisodeOver
+from memorymaze.language.models.model import CompletionRequest, Picture
+from memorymaze.language.models.scripted_model import ScriptedLanguageModel
 
 AHEAD = '{"reason": "free", "action": "forward", "amount": 75}'
 STOP = '{"reason": "there", "action": "stop"}'

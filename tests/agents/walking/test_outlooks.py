@@ -11,7 +11,7 @@ from memorymaze.agents.walking.outlooks import (
     outlook_cost,
     walls_cost,
 )
-from memorymaze.understanding import ANY_FLOOR, parse_route_description
+from memorymaze.language.reading import ANY_FLOOR, parse_route_description
 
 EAST, NORTH = 0, 1
 

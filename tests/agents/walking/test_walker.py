@@ -9,11 +9,11 @@ import pytest
 
 from memorymaze.agents.walking.floor_map import Sighting
 from memorymaze.agents.walking.walker import Walker
-from memorymaze.geometry.pose import Pose
-from memorymaze.simulation.robot import SimulatedRobot
-from memorymaze.simulation.scene import Scene, build_scene
-from memorymaze.simulation.settings import SimulationSettings
-from memorymaze.sites import load_site
+from memorymaze.basics.geometry.pose import Pose
+from memorymaze.robot.simulation.robot import SimulatedRobot
+from memorymaze.robot.simulation.scene import Scene, build_scene
+from memorymaze.robot.simulation.settings import SimulationSettings
+from memorymaze.world.sites import load_site
 
 
 def robot_in(scene: Scene, x: float, y: float, degrees: float) -> SimulatedRobot:

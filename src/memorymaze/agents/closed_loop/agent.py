@@ -14,9 +14,9 @@ from memorymaze.agents.closed_loop.questions import (
 )
 from memorymaze.agents.closed_loop.walk_log import WalkLog
 from memorymaze.agents.walking.walker import Walker
-from memorymaze.language.model import LanguageModel
-from memorymaze.options import check_least
-from memorymaze.robot.api import Robot
+from memorymaze.basics.options import check_least
+from memorymaze.language.models.model import LanguageModel
+from memorymaze.robot.api.control import Robot
 
 
 @dataclass(frozen=True, slots=True)

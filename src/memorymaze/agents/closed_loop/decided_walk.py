@@ -16,7 +16,7 @@ from memorymaze.agents.notes import (
 )
 from memorymaze.agents.walking.floor_map import Sighting
 from memorymaze.agents.walking.walker import STRIDE, Walker
-from memorymaze.geometry.pose import wrap_angle
+from memorymaze.basics.geometry.pose import wrap_angle
 
 WITHIN_REACH = 8.0
 """Metres within which a thing can be walked up to."""

@@ -5,13 +5,13 @@ from collections.abc import Callable, Iterator
 from memorymaze.agents.agent import Journal
 from memorymaze.agents.asking import ReplyRecord, ask_until_read
 from memorymaze.agents.closed_loop.walk_log import WalkLog
-from memorymaze.language.model import (
+from memorymaze.language.models.model import (
     CompletionRequest,
     LanguageModel,
     Message,
     ModelQuestion,
 )
-from memorymaze.language.prompt_texts import load_prompt, prompt_version
+from memorymaze.language.models.prompt_texts import load_prompt, prompt_version
 
 STAGE = "decision"
 MOST_REQUESTS = 40

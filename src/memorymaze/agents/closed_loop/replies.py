@@ -5,7 +5,7 @@ from typing import Annotated, Literal
 from pydantic import BaseModel, Field, StringConstraints, ValidationError
 
 from memorymaze.agents.asking import object_in
-from memorymaze.input_files import mistakes, parse_record
+from memorymaze.basics.input_files import mistakes, parse_record
 
 MOST_PHRASES = 12
 """Things to look for at a time."""

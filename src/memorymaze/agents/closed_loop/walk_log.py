@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator
 from operator import itemgetter
 
 from memorymaze.agents.walking.floor_map import Crossing, FloorMap, Sighting
-from memorymaze.geometry.pose import wrap_angle
+from memorymaze.basics.geometry.pose import wrap_angle
 
 DOOR = "door"
 """Looked for along every way, whatever the text tells."""

@@ -23,18 +23,18 @@ from memorymaze.agents.code_generation.requests import (
     CodeGenerationOptions,
     CodeGenerationRequests,
 )
+from memorymaze.agents.code_generation.sandbox import run_program
 from memorymaze.agents.notes import ProgramNote, ProgramRepairNote, StepsNote
-from memorymaze.errors import InterpreterLostError, ProgramError
-from memorymaze.language.model import (
+from memorymaze.basics.errors import InterpreterLostError, ProgramError
+from memorymaze.language.models.model import (
     CompletionRequest,
     LanguageModel,
     stages_answered,
 )
-from memorymaze.language.prompt_texts import numbered
-from memorymaze.language.sandbox import run_program
-from memorymaze.robot.api import Robot
-from memorymaze.robot.asking import can_ask
-from memorymaze.robot.specification import API_NAMES, ASKING_NAMES
+from memorymaze.language.models.prompt_texts import numbered
+from memorymaze.robot.api.asking import can_ask
+from memorymaze.robot.api.control import Robot
+from memorymaze.robot.api.specification import API_NAMES, ASKING_NAMES
 
 MOST_CALLS_TOLD = 200
 """Of what a failed program did, the model is told this many calls at most."""

@@ -16,9 +16,9 @@ import typing
 from collections.abc import Iterator
 from textwrap import dedent
 
-from memorymaze.errors import LanguageModelError
-from memorymaze.robot.api import DIRECTIONS, Robot
-from memorymaze.robot.specification import API_NAMES
+from memorymaze.basics.errors import LanguageModelError
+from memorymaze.robot.api.control import DIRECTIONS, Robot
+from memorymaze.robot.api.specification import API_NAMES
 
 MOST_STEPS = 12
 DEPTH = 2

@@ -11,10 +11,10 @@ from typing import Literal
 
 from memorymaze.agents.agent import tellings_of
 from memorymaze.agents.code_generation.replies import program_grammar, steps_grammar
-from memorymaze.language.model import CompletionRequest, Message, ModelQuestion
-from memorymaze.language.prompt_texts import load_prompt, prompt_version
-from memorymaze.options import check_least, check_number
-from memorymaze.robot.specification import api_specification
+from memorymaze.basics.options import check_least, check_number
+from memorymaze.language.models.model import CompletionRequest, Message, ModelQuestion
+from memorymaze.language.models.prompt_texts import load_prompt, prompt_version
+from memorymaze.robot.api.specification import api_specification
 
 _FIRST_STAGE = re.compile(r"^First (\w+):\n.*?^Refined \1:", re.MULTILINE | re.DOTALL)
 """In an example: from the first output to where the refined one begins."""

@@ -12,10 +12,10 @@ from memorymaze.agents.notes import PlanNote
 from memorymaze.agents.plan_readers import ReaderOptions, ReadsFirst
 from memorymaze.agents.walking.outlooks import expected_metres
 from memorymaze.agents.walking.walker import Walker
-from memorymaze.language.model import LanguageModel
-from memorymaze.robot.api import Robot
-from memorymaze.robot.asking import can_ask
-from memorymaze.routes import RoutePlan, describe
+from memorymaze.language.models.model import LanguageModel
+from memorymaze.language.plans import RoutePlan, describe
+from memorymaze.robot.api.asking import can_ask
+from memorymaze.robot.api.control import Robot
 
 
 @dataclass(frozen=True, slots=True)

@@ -36,10 +36,10 @@ from memorymaze.agents.walking.floor_map import (
 )
 from memorymaze.agents.walking.outlooks import junction_at_the_end
 from memorymaze.agents.walking.walker import Walker
-from memorymaze.geometry.pose import wrap_angle
-from memorymaze.perception.lexicon import general_words, kin_of
-from memorymaze.routes import Length, RoutePlan, Turn
-from memorymaze.understanding import is_common, is_floor, place_on_sign
+from memorymaze.basics.geometry.pose import wrap_angle
+from memorymaze.language.nouns import general_words, kin_of
+from memorymaze.language.plans import Length, RoutePlan, Turn
+from memorymaze.language.reading import is_common, is_floor, place_on_sign
 
 BESIDE = 4.0
 """Metres from the line of a stretch within which a destination is on it."""

@@ -11,9 +11,9 @@ import numpy as np
 from memorymaze.agents.agent import Journal
 from memorymaze.agents.notes import AskedNote
 from memorymaze.agents.walking.walker import Walker
-from memorymaze.robot.asking import AskingRobot, Question, way_to
-from memorymaze.routes import RoutePlan
-from memorymaze.understanding import parse_route_description
+from memorymaze.language.plans import RoutePlan
+from memorymaze.language.reading import parse_route_description
+from memorymaze.robot.api.asking import AskingRobot, Question, way_to
 
 AskWhen = Literal["never", "start", "random", "lost", "gain"]
 
@@ -50,7 +50,7 @@ class Situation:
         """How likely it is to arrive without asking.
 
         A logistic regression on the guide's own walks of the texts that were read while
-        developing, every metre a case (docs/asking.md).
+        developing, every metre a case (docs/lab/asking.md).
         """
         logit = 1.72 + 0.25 * math.log(max(self.share, 1e-3))
         logit -= 1.9 * self.doubt + 1.1 * min(self.over, 0.5)

@@ -32,8 +32,8 @@ from memorymaze.agents.guide.things import Things
 from memorymaze.agents.walking.choices import BACK, SLIGHT, Choices, choices_at
 from memorymaze.agents.walking.floor_map import FloorMap, Stretch
 from memorymaze.agents.walking.outlooks import faces, length_of
-from memorymaze.geometry.pose import wrap_angle
-from memorymaze.routes import RoutePlan
+from memorymaze.basics.geometry.pose import wrap_angle
+from memorymaze.language.plans import RoutePlan
 
 LEAST_WEIGHT = 1e-4
 """Share of the heaviest alignment below which one is not followed."""

@@ -9,7 +9,7 @@ from memorymaze.agents.guide.arriving import SAME_PLACE, Ending
 from memorymaze.agents.guide.tellings import Tellings
 from memorymaze.agents.walking.outlooks import LEG_METRES, expected_metres
 from memorymaze.agents.walking.walker import Walker
-from memorymaze.routes import RoutePlan
+from memorymaze.language.plans import RoutePlan
 
 FEWEST_METRES, MOST_METRES = 120.0, 400.0
 """Bounds of the walk after which the agent stops at the best place it knows."""

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from memorymaze.agents.walking.choices import FORWARD, SLIGHT, Choices
-from memorymaze.routes import Length, Passing, Turn
+from memorymaze.language.plans import Length, Passing, Turn
 
 Weights = NDArray[np.float64]
 """Of every speaker there may be: shape (2, len(SPEAKERS)); the second row once

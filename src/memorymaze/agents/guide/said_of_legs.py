@@ -22,7 +22,7 @@ from memorymaze.agents.guide.likelihoods import (
 from memorymaze.agents.guide.things import Things
 from memorymaze.agents.walking.choices import Choices
 from memorymaze.agents.walking.outlooks import length_of
-from memorymaze.routes import Leg, Length, RoutePlan
+from memorymaze.language.plans import Leg, Length, RoutePlan
 
 BESIDE_THING = 1.5
 """Metres within which a place is beside a thing, and not after it."""

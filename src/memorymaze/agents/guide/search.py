@@ -29,8 +29,8 @@ from memorymaze.agents.walking.outlooks import (
     phrases_at_start,
 )
 from memorymaze.agents.walking.walker import Walker
-from memorymaze.geometry.pose import wrap_angle
-from memorymaze.routes import RoutePlan
+from memorymaze.basics.geometry.pose import wrap_angle
+from memorymaze.language.plans import RoutePlan
 
 MOST_PHRASES, LIKELY_ENOUGH = 24, 0.02
 """Things looked for at a time, and how likely a leg has to be for its things to count."""

@@ -10,9 +10,9 @@ from memorymaze.agents.walking.floor_map import (
     Sighting,
     along_and_aside,
 )
-from memorymaze.geometry.pose import wrap_angle
-from memorymaze.perception.signposts import ANY_ARROW, signposts
-from memorymaze.understanding import is_common, place_on_sign
+from memorymaze.basics.geometry.pose import wrap_angle
+from memorymaze.basics.signposts import ANY_ARROW, signposts
+from memorymaze.language.reading import is_common, place_on_sign
 
 AHEAD_OF_SIGN = 9.0
 """Metres from a sign to the crossing that it is about, at most."""

@@ -9,7 +9,7 @@ from memorymaze.agents.walking.outlooks import (
     first_heading_cost,
     headings_to_begin,
 )
-from memorymaze.routes import RoutePlan
+from memorymaze.language.plans import RoutePlan
 
 
 def starts_ahead(model: Likelihoods, floor: FloorMap, at: int) -> list[AssumedStart]:

@@ -17,7 +17,7 @@ from memorymaze.agents.guide.signs import Pointers
 from memorymaze.agents.guide.things import Things
 from memorymaze.agents.walking.floor_map import FloorMap, Point, Sighting
 from memorymaze.agents.walking.outlooks import each_once
-from memorymaze.routes import RoutePlan
+from memorymaze.language.plans import RoutePlan
 
 TRUST = 0.85
 """How likely a telling is of any help, beside others."""

@@ -29,9 +29,9 @@ from memorymaze.agents.walking.outlooks import (
     things_on,
     walls_cost,
 )
-from memorymaze.geometry.pose import wrap_angle
-from memorymaze.routes import Mention, RoutePlan, Side
-from memorymaze.understanding import is_common, is_floor
+from memorymaze.basics.geometry.pose import wrap_angle
+from memorymaze.language.plans import Mention, RoutePlan, Side
+from memorymaze.language.reading import is_common, is_floor
 
 AT_THE_TURN = frozenset({"turn", "beside", "opposite", "before_turn", "after_turn"})
 UNSEEN = frozenset({"sound", "smell", "person", "wall"})

@@ -2,7 +2,7 @@
 
 Zhou, Hong, Wu 2024, "NavGPT: Explicit Reasoning in Vision-and-Language Navigation with
 Large Language Models" (AAAI). What is as in its released code and what is not:
-`docs/navgpt.md`.
+`docs/model_agents.md`.
 """
 
 from dataclasses import asdict, dataclass, field
@@ -39,16 +39,16 @@ from memorymaze.agents.notes import (
     ThoughtNote,
     ViewpointMoveNote,
 )
-from memorymaze.errors import EpisodeOver, SettingsError
-from memorymaze.language.model import (
+from memorymaze.basics.errors import EpisodeOver, SettingsError
+from memorymaze.basics.options import check_least, check_number
+from memorymaze.language.models.model import (
     CompletionRequest,
     LanguageModel,
     Message,
     ModelQuestion,
 )
-from memorymaze.language.prompt_texts import load_prompt, prompt_version
-from memorymaze.options import check_least, check_number
-from memorymaze.robot.viewpoints import Journey, ViewpointRobot
+from memorymaze.language.models.prompt_texts import load_prompt, prompt_version
+from memorymaze.robot.api.viewpoints import Journey, ViewpointRobot
 
 RELEASED_ITERATIONS = 10
 RELEASED_SCRATCHPAD = 7000

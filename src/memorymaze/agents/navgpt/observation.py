@@ -8,8 +8,8 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from memorymaze.geometry.pose import wrap_angle
-from memorymaze.robot.viewpoints import Panorama, SeenThing, WayOn
+from memorymaze.basics.geometry.pose import wrap_angle
+from memorymaze.robot.api.viewpoints import Panorama, SeenThing, WayOn
 
 LONGEST_FAILURE = 400
 """Characters of a reply that could not be used; the rest is not shown again."""

@@ -26,15 +26,15 @@ from memorymaze.agents.notes import (
     RandomMotionNote,
     StuckNote,
 )
-from memorymaze.errors import (
+from memorymaze.basics.errors import (
     CommandError,
     EpisodeOver,
     LanguageModelError,
     SettingsError,
 )
-from memorymaze.language.model import LanguageModel, takes_pictures
-from memorymaze.robot.api import Robot
-from memorymaze.robot.steps import SteppingRobot
+from memorymaze.language.models.model import LanguageModel, takes_pictures
+from memorymaze.robot.api.control import Robot
+from memorymaze.robot.api.steps import SteppingRobot
 
 STILL_METRES = 0.01
 """A step ahead of less is none."""
@@ -101,7 +101,7 @@ class NavidAgent:
         if not isinstance(robot, SteppingRobot):
             raise CommandError(
                 "NaVid protocol: expected a robot with primitive motions and a camera "
-                f"(memorymaze.robot.steps), got {type(robot).__name__}"
+                f"(memorymaze.robot.api.steps), got {type(robot).__name__}"
             )
         episode = str(rng.integers(2**31))
         session = PolicySession(self._model, self.options, instruction)

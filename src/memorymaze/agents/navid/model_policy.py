@@ -9,7 +9,7 @@ from itertools import groupby
 from memorymaze.agents.navid.motions import Frame, Motion, Motions
 from memorymaze.agents.navid.options import NavidOptions
 from memorymaze.agents.navid.replies import navid_reply_grammar
-from memorymaze.language.model import (
+from memorymaze.language.models.model import (
     Completion,
     CompletionRequest,
     LanguageModel,
@@ -17,7 +17,7 @@ from memorymaze.language.model import (
     ModelQuestion,
     Picture,
 )
-from memorymaze.language.prompt_texts import load_prompt, prompt_version
+from memorymaze.language.models.prompt_texts import load_prompt, prompt_version
 
 SAID_MOTIONS = 40
 """Motions so far that the model is told, each with its whole length: the last ones."""

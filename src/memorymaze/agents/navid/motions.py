@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from memorymaze.language.model import Picture
+from memorymaze.language.models.model import Picture
 
 WIDTH, HEIGHT = 640, 480
 """Pixels of the pictures that a policy is shown."""

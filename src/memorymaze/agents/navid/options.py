@@ -5,7 +5,7 @@ from typing import Literal
 
 from memorymaze.agents.agent import FairLimits
 from memorymaze.agents.navid.motions import WIDTH, Motions
-from memorymaze.options import check_least, check_number
+from memorymaze.basics.options import check_least, check_number
 
 RELEASED_STEPS = 400
 """Steps after which the released evaluation on R2R breaks off; on RxR it is 500."""

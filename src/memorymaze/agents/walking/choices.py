@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from memorymaze.geometry.pose import wrap_angle
+from memorymaze.basics.geometry.pose import wrap_angle
 
 FORWARD, SLIGHT, BACK = math.radians(15), math.radians(60), math.radians(160)
 

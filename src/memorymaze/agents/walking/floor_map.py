@@ -11,9 +11,9 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 from statistics import median
 
-from memorymaze.geometry.pose import wrap_angle
-from memorymaze.perception.matching import points_elsewhere
-from memorymaze.understanding import ANY_FLOOR, is_floor
+from memorymaze.basics.geometry.pose import wrap_angle
+from memorymaze.language.reading import ANY_FLOOR, is_floor
+from memorymaze.robot.perception.matching import points_elsewhere
 
 Point = tuple[float, float]
 

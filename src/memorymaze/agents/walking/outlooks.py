@@ -10,9 +10,17 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from memorymaze.agents.walking.floor_map import SEES_FAR, FloorMap
-from memorymaze.geometry.pose import wrap_angle
-from memorymaze.routes import Arrival, Junction, Leg, Length, Mention, RoutePlan, Side
-from memorymaze.understanding import ANY_FLOOR, is_floor
+from memorymaze.basics.geometry.pose import wrap_angle
+from memorymaze.language.plans import (
+    Arrival,
+    Junction,
+    Leg,
+    Length,
+    Mention,
+    RoutePlan,
+    Side,
+)
+from memorymaze.language.reading import ANY_FLOOR, is_floor
 
 OTHER_FLOOR = 2.8
 """The way has another floor than the one said."""

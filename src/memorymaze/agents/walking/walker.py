@@ -15,11 +15,11 @@ from memorymaze.agents.walking.floor_map import (
     along_and_aside,
     is_on_a_pointer,
 )
-from memorymaze.geometry.pose import wrap_angle
-from memorymaze.perception.detector import LONGEST_QUERY
-from memorymaze.perception.matching import points_elsewhere
-from memorymaze.perception.noun_phrase import words_of
-from memorymaze.robot.api import Detection, Direction, Robot, SignText
+from memorymaze.basics.geometry.pose import wrap_angle
+from memorymaze.robot.api.control import Detection, Direction, Robot, SignText
+from memorymaze.robot.perception.detector import LONGEST_QUERY
+from memorymaze.robot.perception.matching import points_elsewhere
+from memorymaze.robot.perception.noun_phrase import words_of
 
 LONG_STRIDE = 1.2
 """Metres between two looks for turning points alone; they are 1.5 m long or more."""

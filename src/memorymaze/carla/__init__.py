@@ -1,9 +1,0 @@
-"""A robot's body in the CARLA simulator: see docs/carla.md.
-
-Holds the body, its sensors, the world it is put into, and CARLA's frame.
-"""
-
-from memorymaze.carla.body import CarlaBody
-from memorymaze.carla.settings import CarlaOptions
-
-__all__ = ["CarlaBody", "CarlaOptions"]

@@ -1,0 +1,178 @@
+"""One robot in a building, and one instruction followed by an agent."""
+
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from memorymaze.basics.errors import SettingsError
+from memorymaze.language.models.model_settings import ModelSettings
+from memorymaze.robot.simulation.robot import SimulatedRobot
+from memorymaze.robot.simulation.scene import build_scene
+from memorymaze.runs.episodes.agent_catalogue import AgentChoice
+from memorymaze.runs.episodes.named_settings import with_choices
+from memorymaze.runs.episodes.navigation import (
+    draw_navigation,
+    navigate,
+    write_navigation,
+)
+from memorymaze.runs.episodes.settings import RunSettings
+from memorymaze.runs.episodes.trace import plain_entries
+from memorymaze.world.looks import OWN
+from memorymaze.world.sites import Route, Site, load_site
+
+if TYPE_CHECKING:
+    from PIL.Image import Image
+
+    from memorymaze.basics.geometry.trajectory import Trajectory
+    from memorymaze.runs.episodes.episode import EpisodeRun, Watcher
+    from memorymaze.runs.episodes.results import EpisodeResult
+
+
+@dataclass(frozen=True, slots=True)
+class Walk:
+    """What came of one instruction: result, trajectory and trace."""
+
+    text: str
+    """The instruction."""
+    site: Site
+    route: Route
+    """The route it was said to describe."""
+    run: "EpisodeRun" = field(repr=False)
+    """All that the episode left behind."""
+
+    @property
+    def result(self) -> "EpisodeResult":
+        """Every measure of the walk."""
+        return self.run.result
+
+    @property
+    def success(self) -> bool:
+        """Whether it stopped by itself near enough to the goal."""
+        return self.result.success
+
+    @property
+    def spd(self) -> float:
+        """Shortest walk from where it ended to the goal, metres."""
+        return self.result.spd
+
+    @property
+    def stopped_by(self) -> str:
+        """Who or what ended it, such as `agent` or `budget`."""
+        return self.result.stopped_by
+
+    @property
+    def trajectory(self) -> "Trajectory":
+        """Where the robot went."""
+        return self.run.trajectory
+
+    @property
+    def trace(self) -> tuple[dict[str, Any], ...]:
+        """Every call and note in the order of time; see `docs/formats.md`."""
+        return plain_entries(self.run.trace)
+
+    def plot(self) -> "Image":
+        """Draw the walk on the plan; notebooks show the picture."""
+        return draw_navigation(self.run, self.site, self.route)
+
+    def save(self, folder: str | Path) -> list[Path]:
+        """Write trajectory, trace and picture into a folder; return the files.
+
+        Raises:
+            RunFolderError: The folder cannot be written.
+        """
+        return write_navigation(self.run, self.site, self.route, Path(folder))
+
+    def __repr__(self) -> str:
+        """Say how it ended."""
+        end = "arrived" if self.success else f"ended {self.spd:.1f} m from the goal"
+        return (
+            f"Walk({self.site.name} {self.route.id}: {end}, stopped by "
+            f"{self.stopped_by}, {self.result.path_length:.1f} m in "
+            f"{self.result.duration_s:.0f} s)"
+        )
+
+
+def follow(
+    text: str,
+    agent: AgentChoice = "guide",
+    *,
+    site: Site | str | Path,
+    route: str = "R1",
+    settings: RunSettings | None = None,
+    language_model: ModelSettings | None = None,
+    watcher: "Watcher | None" = None,
+    **choices: Any,
+) -> Walk:
+    """Let an agent follow one instruction from the start of a route.
+
+    Args:
+        text: The instruction.
+        agent: A name, your own as `module:Class` or `file.py:Class`, a class, an object,
+            or `AgentSettings` where it is given options.
+        site: The building: loaded, or by name or file.
+        route: Gives start and goal: `R1`, or the id of a way.
+        settings: How the episode is run; the defaults when None.
+        language_model: Which one the agent asks, and how, where it needs one.
+        watcher: Looks on while the agent follows.
+        **choices: Settings to change, such as `seed=1` or `obstacles="light"`; see
+            `RunSettings` and `SimulationSettings`.
+
+    Raises:
+        MemoryMazeError: Something that was given cannot be used; what the agent does
+            wrong is part of the walk.
+    """
+    building = site if isinstance(site, Site) else load_site(site)
+    way = building.find_route(route)
+    run = navigate(
+        building,
+        way,
+        text,
+        agent,
+        with_choices(settings or RunSettings(), choices),
+        watcher=watcher,
+        language_model=language_model,
+    )
+    return Walk(text, building, way, run)
+
+
+def make_robot(
+    site: Site | str | Path,
+    route: str = "R1",
+    *,
+    seed: int = 0,
+    settings: RunSettings | None = None,
+    **choices: Any,
+) -> SimulatedRobot:
+    """Put a robot at the start of a route, to be driven by hand.
+
+    It is not guarded: its `scene` knows the building and the goal. Agents get another
+    one, which does not.
+
+    Args:
+        site: The building: loaded, or by name or file.
+        route: Gives the start: `R1`, or the id of a way.
+        seed: Of wheels and sensors.
+        settings: Abilities, noise, things and people in the way; defaults when None.
+        **choices: Settings to change, as for `follow`.
+
+    Raises:
+        MemoryMazeError: Something that was given cannot be used.
+    """
+    building = site if isinstance(site, Site) else load_site(site)
+    chosen = with_choices(settings or RunSettings(), choices)
+    if chosen.ask is not None:
+        raise SettingsError(
+            f"ask: expected none for a robot driven by hand, got {chosen.ask}; people "
+            "answer an agent only: use follow(), and obstacles to drive among them"
+        )
+    return SimulatedRobot(
+        build_scene(building, chosen.obstacles),
+        building.find_route(route).start,
+        chosen.simulation,
+        np.random.default_rng(seed),
+        lidar=None if chosen.noise is None else chosen.noise.lidar,
+        odometry=None if chosen.noise is None else chosen.noise.odometry,
+        looks=chosen.looks or OWN,
+    )

@@ -1,0 +1,163 @@
+"""What the words of one mark mean: numbers, lengths, openings left alone, things."""
+
+import re
+from typing import Literal
+
+from memorymaze.language.plans import Length, Passing, Totals
+from memorymaze.language.plans.records import MOST_COUNTED
+from memorymaze.language.reading.lengths import (
+    LENGTH,
+    NUMBER,
+    PLACES,
+    read_length,
+    read_number,
+    read_places,
+    read_vague,
+)
+from memorymaze.language.reading.spoken_numbers import with_plain_numbers
+from memorymaze.language.reading.things import floor_phrase, thing_phrase
+from memorymaze.language.reading.vocabulary import ONES, ORDINALS, TENS
+
+_SIGNS = str.maketrans({
+    "\u2019": "'",
+    "\u2018": "'",
+    "\u201c": '"',
+    "\u201d": '"',
+    "&": " and ",
+})
+_DIGITS = re.compile(r"([1-9]\d{0,5})(?:st|nd|rd|th)?")
+_BACKWARDS = re.compile(r"\b(?:to last|last but|but one|second last|penultimate)\b")
+"""Counts that are told from the end; only the last has a number here."""
+
+_ones, _tens = "|".join(ONES), "|".join(TENS)
+_BELOW_HUNDRED = rf"(?:(?:{_tens})(?:[- ](?:{_ones}))?|{_ones}|\d{{1,2}})"
+_HUNDREDS = re.compile(
+    rf"\b(?:(?P<many>an?|{_ones}|\d) )?hundred(?:(?: and)? (?P<rest>{_BELOW_HUNDRED}))?\b"
+)
+_HALVES = re.compile(rf"\b(?P<whole>{_BELOW_HUNDRED}) and a half\b")
+_COUNTED_IN_PLACES = re.compile(
+    r"\b(?:segments?|intersections?|junctions?|blocks?|alleys?|squares?|once|twice|times)\b"
+)
+_TURNS = re.compile(rf"(?P<count>{NUMBER}) (?:\w+ )?(?:turn(?:ing)?s?|corners|bends)\b")
+
+_SIDES = re.compile(r"\b(left|right)\b")
+_BOTH_SIDES = re.compile(r"\b(?:each|either|both) (?:side|hand|wall)s?\b")
+_NONE = re.compile(
+    r"\b(?:don'?t|do not|no|none|not|never|any|all|every|everything|without|nothing|anything)\b"
+)
+_CROSSING = re.compile(r"cross|junction|intersection")
+_HOW_MANY = {**ONES, "both": 2, "couple": 2, "pair": 2, "few": 3, "several": 4}
+
+_ARTICLE = re.compile(r"^(?:the|an?|some|your|that|this|those|these|its)\s+")
+_INNER = re.compile(
+    r"\b(of|on|with|in|to|at|by|opposite|beside|like) (?:the|an?|your) "
+)
+_POSSESSIVE = re.compile(r"'s?(?!\w)")
+_ROOM = re.compile(r"(?:door |room |number )*(\d+\w?)")
+_ROOM_IN_WORDS = re.compile(rf"(?:door |room |number )*({_ones})")
+
+
+def _plain(words: str) -> str:
+    return with_plain_numbers(" ".join(words.translate(_SIGNS).lower().split()))
+
+
+def ordinal_in(words: str) -> int | None:
+    """Return which one is meant, -1 for the last; `None` if that has no number."""
+    said = _plain(words)
+    if _BACKWARDS.search(said) is not None:
+        return None
+    for word in re.findall(r"\w+", said):
+        if (number := ORDINALS.get(word, ONES.get(word))) is not None:
+            return number
+        if (digits := _DIGITS.fullmatch(word)) is not None:
+            return int(digits[1])
+    return None
+
+
+def unit_in(words: str) -> str | None:
+    """Return the word for what a length is counted in, if it says one."""
+    found = re.search(LENGTH, _with_digits(words))
+    return found["unit"] if found is not None else None
+
+
+def length_in(words: str, unit: str) -> Length:
+    """Return a length; a number alone is counted in a unit that was told elsewhere."""
+    said = _with_digits(words)
+    if (found := re.search(LENGTH, said)) is not None:
+        return read_length(found)
+    if _COUNTED_IN_PLACES.search(said) is not None:
+        if (found := re.search(PLACES, f"go {said}")) is not None:
+            return read_places(found)
+    elif (number := re.search(r"\d+(?:\.\d+)?|\b" + NUMBER, said)) is not None:
+        count = read_number(number[0])
+        if (
+            count > 1
+            and (found := re.search(LENGTH, f"{count:.10g} {unit}")) is not None
+        ):
+            return read_length(found)
+    return read_vague(said)
+
+
+def _with_digits(words: str) -> str:
+    """Write hundreds, and halves, in digits."""
+
+    def hundreds(match: re.Match[str]) -> str:
+        many = match["many"]
+        count = 1.0 if many in {None, "a", "an"} else read_number(many)
+        return f"{100 * count + (read_number(match['rest']) if match['rest'] else 0):g}"
+
+    said = _HUNDREDS.sub(hundreds, _plain(words))
+    return _HALVES.sub(lambda each: f"{read_number(each['whole']) + 0.5:g}", said)
+
+
+def totals_in(words: str) -> Totals:
+    """Return what is said of the whole way."""
+    said = _with_digits(words)
+    turns, length = _TURNS.search(said), re.search(LENGTH, said)
+    count = round(read_number(turns["count"])) if turns is not None else None
+    return Totals(count, read_length(length).metres if length is not None else None)
+
+
+def passings_in(words: str) -> list[Passing]:
+    """Return the openings or junctions that are left alone, on each side that is told."""
+    said = _plain(words)
+    what = "crossing" if _CROSSING.search(said) is not None else None
+    if _BOTH_SIDES.search(said) is not None:
+        count = _how_many(said)
+        return [Passing(count, "left", what), Passing(count, "right", what)]
+    found: list[Passing] = []
+    start = 0
+    for each in _SIDES.finditer(said):
+        part = said[start : each.end()]
+        start = each.end()
+        alone = found and re.search(r"\d|[a-z]{3,}", part[: -len(each[0])]) is None
+        count = found[-1].count if alone else _how_many(part)
+        side: Literal["left", "right"] = "left" if each[0] == "left" else "right"
+        found.append(Passing(count, side, what))
+    return found or [Passing(_how_many(said), None, what)]
+
+
+def _how_many(said: str) -> int | None:
+    """Return how many; `None` for all there are. Of `the second` it is one."""
+    counts = [
+        int(word) if word.isdigit() else _HOW_MANY[word]
+        for word in re.findall(r"\w+", said)
+        if word in _HOW_MANY or (word.isdigit() and 0 < int(word[:7]) <= MOST_COUNTED)
+    ]
+    if counts:
+        return min(max(counts), MOST_COUNTED)
+    return None if _NONE.search(said) is not None else 1
+
+
+def phrase_in(words: str, *, is_goal: bool = False) -> str:
+    """Return a thing as one asks for it; empty if the words name none.
+
+    A number alone is a room if one wants to get there.
+    """
+    said = _POSSESSIVE.sub("", _plain(words).replace('"', "")).split(",")[0].strip(" '")
+    said = _INNER.sub(r"\1 ", _ARTICLE.sub("", said))
+    if (room := _ROOM.fullmatch(said)) is not None:
+        return f"door that says {room[1].upper()}"
+    if is_goal and (room := _ROOM_IN_WORDS.fullmatch(said)) is not None:
+        return f"door that says {ONES[room[1]]}"
+    return floor_phrase(said) or thing_phrase(said)

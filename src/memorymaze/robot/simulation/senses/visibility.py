@@ -1,0 +1,281 @@
+"""What the camera of a robot really sees, by casting rays; no OpenGL.
+
+A pinhole camera of 640x480 pixels, 90 degrees wide, at the lens of the robot, looking
+ahead horizontally. Things are boxes of their true size; walls and other things hide
+them. Rooms are not things: one sees their doors and signs.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from memorymaze.basics.errors import RenderingError
+from memorymaze.basics.geometry.points import FloatArray
+from memorymaze.basics.geometry.pose import Pose
+from memorymaze.basics.physics_engine import mujoco
+from memorymaze.robot.api.steps import CameraPicture
+from memorymaze.robot.perception.camera_view import Draw, VisibleObject, VisibleText
+from memorymaze.robot.simulation.motion.wheeled_base import ROBOT_GROUP
+from memorymaze.robot.simulation.scene import Scene
+from memorymaze.robot.simulation.senses.sight_targets import (
+    SightTargets,
+    inscription,
+    movable_targets,
+    sight_targets,
+)
+
+WIDTH, HEIGHT = 640, 480
+FOCAL_LENGTH = WIDTH / 2 / math.tan(math.pi / 4)
+"""Pixels."""
+LEAST_FRACTION = 0.25
+"""Of a thing's part in the picture so much must be unhidden to recognise it."""
+LEAST_SHARE = 0.2
+"""Of all sides turned to the camera, cut off by the picture's edge or hidden or not,
+so much must be seen, unless what is seen is large in the picture."""
+LARGE_AREA = 0.05 * WIDTH * HEIGHT
+"""Square pixels from which on `LEAST_SHARE` does not matter."""
+LEAST_PIXELS = 8.0
+"""Width and height in the picture below which a thing is not recognised."""
+TOUCH = 0.03
+"""A ray that ends within so many metres of a point has reached it."""
+LARGEST_MOVABLE = 2.0
+"""Metres from the middle of a thing or person to its farthest part, at most."""
+SIGNS = np.array([-1.0, 1.0])[:, np.newaxis, np.newaxis]
+NEAREST = 0.05
+"""Depth in metres below which nothing is seen."""
+
+
+class _Seen(NamedTuple):
+    geom: int
+    thing: VisibleObject
+
+
+class RayCamera:
+    """One look of the robot's camera; implements `CameraView`."""
+
+    def __init__(
+        self, scene: Scene, data: mujoco.MjData, draw: Draw | None = None
+    ) -> None:
+        """Look from where the lens is in a physics state whose poses are up to date.
+
+        `draw` is for those who ask for a picture; None has none.
+        """
+        self._scene = scene
+        self._data = data
+        self._draw = draw
+        self._seen: dict[float, list[_Seen]] = {}
+        """By range limit; a look is one moment, and is often asked about."""
+        lens = data.cam("eye")
+        self._eye = np.array(lens.xpos)
+        backwards = lens.xmat.reshape(3, 3)[:, 2]
+        heading = math.atan2(-backwards[1], -backwards[0])
+        self._ahead = np.array([math.cos(heading), math.sin(heading), 0.0])
+        self._left = np.array([-math.sin(heading), math.cos(heading), 0.0])
+        x, y, _ = self._eye.tolist()
+        self.pose = Pose(x, y, heading)
+        """Where the lens is and which way it looks."""
+
+    def picture(
+        self, width: int = 640, height: int = 480, horizontal_fov: float = math.pi / 2
+    ) -> CameraPicture:
+        """Draw what is seen; see `CameraView.picture`."""
+        if self._draw is None:
+            raise RenderingError("this view was made without a camera that draws")
+        return self._draw(width, height, horizontal_fov)
+
+    def visible_objects(self, range_limit: float) -> list[VisibleObject]:
+        """Return the things seen whose nearest seen part is within the limit."""
+        return [each.thing for each in self._things_seen(range_limit)]
+
+    def visible_texts(self, range_limit: float) -> list[VisibleText]:
+        """Return what is written on the things seen within the limit."""
+        texts = [self._text_on(each) for each in self._things_seen(range_limit)]
+        return [each for each in texts if each is not None]
+
+    def _text_on(self, seen: _Seen) -> VisibleText | None:
+        written = inscription(self._scene, seen.geom)
+        if written is None:
+            return None
+        front = self._data.geom_xmat[seen.geom].reshape(3, 3)[:, 0]
+        half_depth = self._scene.model.geom_size[seen.geom][0]
+        middle = self._data.geom_xpos[seen.geom] + half_depth * front
+        to_eye = self._eye - middle
+        facing = math.acos(
+            float(np.clip(front[:2] @ to_eye[:2] / np.hypot(*to_eye[:2]), -1, 1))
+        )
+        if written.both_sides:
+            facing = min(facing, math.pi - facing)
+        depth = max(float(-to_eye @ self._ahead), NEAREST)
+        return VisibleText(
+            text=written.text,
+            bearer=seen.thing,
+            facing=facing,
+            letter_height=written.letter_height * FOCAL_LENGTH / depth,
+            cut=written.fills_it and _is_cut(seen.thing.box),
+        )
+
+    def _things_seen(self, range_limit: float) -> list[_Seen]:
+        if range_limit in self._seen:
+            return list(self._seen[range_limit])
+        seen = self._seen_of(sight_targets(self._scene), range_limit)
+        if self._scene.movables:
+            reach = range_limit + LARGEST_MOVABLE
+            nearby = movable_targets(self._scene, self._data, self._eye, reach)
+            seen += self._seen_of(nearby, range_limit)
+        self._seen[range_limit] = seen
+        return list(seen)
+
+    def _seen_of(self, targets: SightTargets, range_limit: float) -> list[_Seen]:
+        """Return which of some targets are seen; everything may hide them."""
+        near = self._candidates(targets, range_limit)
+        if not near:
+            return []
+        numbers = np.concatenate([
+            np.arange(targets.first_points[i], targets.first_points[i + 1])
+            for i in near
+        ])
+        owners = np.repeat(
+            np.arange(len(near)),
+            [targets.first_points[i + 1] - targets.first_points[i] for i in near],
+        )
+        offsets = targets.points[numbers] - self._eye
+        facing = -np.einsum("ij,ij->i", offsets, targets.normals[numbers])
+        turned_to_us = facing > 0
+        numbers, owners = numbers[turned_to_us], owners[turned_to_us]
+        offsets, facing = offsets[turned_to_us], facing[turned_to_us]
+        distances = np.linalg.norm(offsets, axis=1)
+        # The solid angle of each tile; together they tell how much of a thing is seen.
+        angles = targets.areas[numbers] * facing / distances**3
+        whole = np.bincount(owners, angles, len(near))
+
+        depth = offsets @ self._ahead
+        across = offsets @ self._left
+        pictured = (
+            (depth > NEAREST)
+            & (np.abs(across) * FOCAL_LENGTH <= depth * WIDTH / 2)
+            & (np.abs(offsets[:, 2]) * FOCAL_LENGTH <= depth * HEIGHT / 2)
+        )
+        numbers, owners, angles = numbers[pictured], owners[pictured], angles[pictured]
+        distances, depth = distances[pictured], depth[pictured]
+        inside = np.bincount(owners, angles, len(near))
+        geoms = targets.geoms[near][owners]
+        seen = self._reached(offsets[pictured], distances, geoms)
+        unhidden = np.bincount(owners[seen], angles[seen], len(near))
+        pixels = angles * FOCAL_LENGTH**2 * (distances / depth) ** 3
+        area = np.bincount(owners[seen], pixels[seen], len(near))
+
+        enough = (
+            (unhidden > 0)
+            & (unhidden >= LEAST_FRACTION * inside)
+            & ((unhidden >= LEAST_SHARE * whole) | (area >= LARGE_AREA))
+        )
+        found = [
+            self._seen_thing(
+                targets,
+                near[i],
+                numbers[seen & (owners == i)],
+                min(float(unhidden[i] / inside[i]), 1.0),
+            )
+            for i in np.flatnonzero(enough)
+        ]
+        return [
+            each
+            for each in found
+            if each is not None and each.thing.distance <= range_limit
+        ]
+
+    def _candidates(self, targets: SightTargets, range_limit: float) -> list[int]:
+        """Return things near enough and not behind the lens, by their round hulls."""
+        offsets = targets.centres - self._eye
+        reach = range_limit + targets.radii
+        near = (
+            (np.einsum("ij,ij->i", offsets, offsets) <= reach**2)
+            & (offsets @ self._ahead > -targets.radii)
+            # The frustum's side planes lie at 45 degrees.
+            & (offsets @ (self._ahead + self._left) > -math.sqrt(2) * targets.radii)
+            & (offsets @ (self._ahead - self._left) > -math.sqrt(2) * targets.radii)
+        )
+        return np.flatnonzero(near).tolist()
+
+    def _reached(
+        self, offsets: FloatArray, distances: FloatArray, geoms: NDArray[np.int32]
+    ) -> NDArray[np.bool_]:
+        """Tell which points nothing else hides."""
+        count = len(offsets)
+        hit_geoms = np.full(count, -1, dtype=np.int32)
+        hit_distances = np.full(count, -1.0)
+        if count:
+            groups = np.ones(6, dtype=np.uint8)
+            groups[ROBOT_GROUP] = 0
+            mujoco.mj_multiRay(
+                self._scene.model,
+                self._data,
+                self._eye,
+                (offsets / distances[:, np.newaxis]).ravel(),
+                groups,
+                True,
+                -1,
+                hit_geoms,
+                hit_distances,
+                None,
+                count,
+                float(distances.max()) + TOUCH,
+            )
+        return (
+            (hit_geoms == geoms)
+            | (hit_geoms < 0)
+            | (hit_distances >= distances - TOUCH)
+        )
+
+    def _seen_thing(
+        self,
+        targets: SightTargets,
+        target: int,
+        numbers: NDArray[np.int64],
+        fraction: float,
+    ) -> _Seen | None:
+        """Measure a thing by its seen tiles; None where it is too small to tell."""
+        edges = targets.half_edges[numbers]
+        middles = targets.points[numbers] - self._eye
+        sides = middles + SIGNS * edges[:, 0]
+        corners = (sides[:, np.newaxis] + SIGNS * edges[:, 1]).reshape(-1, 3)
+        depth = np.maximum(corners @ self._ahead, NEAREST)
+        u = WIDTH / 2 - FOCAL_LENGTH * (corners @ self._left) / depth
+        v = HEIGHT / 2 - FOCAL_LENGTH * corners[:, 2] / depth
+        left, right = np.clip([u.min(), u.max()], 0, WIDTH).tolist()
+        top, bottom = np.clip([v.min(), v.max()], 0, HEIGHT).tolist()
+        if right - left < LEAST_PIXELS or bottom - top < LEAST_PIXELS:
+            return None
+        distances = np.linalg.norm(np.concatenate([middles, corners]), axis=1)
+        x, y, _ = targets.centres[target].tolist()
+        thing = VisibleObject(
+            description=targets.descriptions[target],
+            position=(x, y),
+            length=float(targets.lengths[target]),
+            box=(left, top, right, bottom),
+            distance=float(distances.min()),
+            bearing=math.atan2(WIDTH / 2 - (left + right) / 2, FOCAL_LENGTH),
+            visible_fraction=fraction,
+        )
+        return _Seen(int(targets.geoms[target]), thing)
+
+
+def _is_cut(box: tuple[float, float, float, float]) -> bool:
+    left, top, right, bottom = box
+    return left <= 0 or top <= 0 or right >= WIDTH or bottom >= HEIGHT
+
+
+def camera_elsewhere(
+    scene: Scene, now: mujoco.MjData, pose: Pose, draw: Draw | None = None
+) -> RayCamera:
+    """Return what the camera would see from a robot's pose, with people as now."""
+    data = mujoco.MjData(scene.model)
+    half = pose.heading / 2
+    data.qpos[:7] = (pose.x, pose.y, 0, math.cos(half), 0, 0, math.sin(half))
+    data.mocap_pos[:] = now.mocap_pos
+    data.mocap_quat[:] = now.mocap_quat
+    mujoco.mj_kinematics(scene.model, data)
+    mujoco.mj_camlight(scene.model, data)
+    return RayCamera(scene, data, draw)

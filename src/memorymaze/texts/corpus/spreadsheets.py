@@ -1,0 +1,169 @@
+"""Instructions as a table, CSV or Parquet: one row each, a column per field."""
+
+import csv
+import io
+import json
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import Any, Literal
+
+from memorymaze.basics.errors import InstructionFileError
+from memorymaze.basics.input_files import parse_json, read_file, read_text, refusal
+from memorymaze.texts.corpus.record_format import (
+    FIELDS,
+    InstructionProblem,
+    instruction_record,
+    read_record,
+    warn_of_unknown,
+    write_file,
+)
+from memorymaze.texts.corpus.records import Instruction
+
+_Kind = Literal["csv", "parquet"]
+
+STRUCTURED = ("failures", "followers", "spans")
+"""Columns that hold JSON."""
+
+
+def write_spreadsheet(
+    path: str | Path, instructions: Iterable[Instruction], kind: _Kind
+) -> None:
+    """Write a CSV file (UTF-8) or a Parquet file.
+
+    Raises:
+        InstructionFileError: The file cannot be written.
+        SettingsError: A package is missing.
+    """
+    rows: list[dict[str, Any]] = []
+    for each in instructions:
+        record = instruction_record(each)
+        for name in STRUCTURED:
+            if name in record:
+                record[name] = json.dumps(record[name], ensure_ascii=False)
+        rows.append({name: record.get(name) for name in FIELDS})
+    write_file(path, _as_csv(rows) if kind == "csv" else _as_parquet(rows))
+
+
+def read_spreadsheet(path: str | Path, kind: _Kind) -> list[Instruction]:
+    """Read what `write_spreadsheet` writes; columns may be in any order.
+
+    Empty cells, and columns that are not there, have their defaults.
+
+    Raises:
+        InstructionFileError: The file cannot be read, or rows are wrong; lists them.
+        SettingsError: A package is missing.
+    """
+    instructions, problems = read_rows(path, kind)
+    if problems:
+        raise refusal(problems, InstructionFileError)
+    return instructions
+
+
+def spreadsheet_kind(path: str | Path) -> _Kind | None:
+    """Return what a file is by its name; None for JSONL."""
+    kinds: dict[str, _Kind] = {".csv": "csv", ".parquet": "parquet"}
+    return kinds.get(Path(path).suffix.lower())
+
+
+def read_rows(
+    path: str | Path, kind: _Kind
+) -> tuple[list[Instruction], list[InstructionProblem]]:
+    """Read a table; return the good instructions and what is wrong with other rows.
+
+    Raises:
+        InstructionFileError: The file cannot be read, or is no table of instructions.
+        SettingsError: A package is missing.
+    """
+    columns, rows = _from_csv(path) if kind == "csv" else _from_parquet(path)
+    missing = [name for name in ("site", "route", "text") if name not in columns]
+    if missing:
+        raise InstructionFileError(
+            f"{path}: expected columns site, route and text, got none called "
+            f"{', '.join(missing)}"
+        )
+    for name in columns:
+        if name not in FIELDS:
+            warn_of_unknown(name, str(path))
+    if not rows:
+        raise InstructionFileError(
+            f"{path}: expected a row per instruction, got the names of columns alone"
+        )
+    instructions: list[Instruction] = []
+    problems: list[InstructionProblem] = []
+    # The first row of a CSV file is on line 2, below the names of the columns.
+    for number, row in enumerate(rows, start=2):
+        place = f"{path}: row {number}"
+        instruction, wrong = _instruction(row, place)
+        problems += [InstructionProblem(place, each) for each in wrong]
+        instructions += [] if instruction is None else [instruction]
+    return instructions, problems
+
+
+def _instruction(
+    row: dict[str, Any], place: str
+) -> tuple[Instruction | None, list[str]]:
+    record = {
+        name: value
+        for name, value in row.items()
+        if name in FIELDS and value is not None
+    }
+    for name in STRUCTURED:
+        if isinstance(record.get(name), str):
+            try:
+                record[name] = parse_json(record[name])
+            except ValueError as error:
+                return None, [f"column {name!r}: {error}"]
+    if isinstance(record.get("iteration"), str) and record["iteration"].isdecimal():
+        record["iteration"] = int(record["iteration"])
+    instruction, _, wrong = read_record(record, place)
+    return instruction, wrong
+
+
+def _as_csv(rows: Iterable[dict[str, Any]]) -> bytes:
+    content = io.StringIO()
+    writer = csv.DictWriter(content, FIELDS, lineterminator="\n")
+    writer.writeheader()
+    writer.writerows(rows)
+    return content.getvalue().encode()
+
+
+def _from_csv(path: str | Path) -> tuple[Sequence[str], list[dict[str, Any]]]:
+    text = io.StringIO(read_text(path, InstructionFileError), newline="")
+    try:
+        columns, *lines = list(csv.reader(text, strict=True)) or [[]]
+    except csv.Error as error:
+        raise InstructionFileError(f"{path}: expected CSV ({error})") from None
+    for name in columns:
+        if columns.count(name) > 1:
+            raise InstructionFileError(f"{path}: expected column {name!r} once")
+    rows: list[dict[str, Any]] = []
+    for number, cells in enumerate(lines, start=2):
+        if len(cells) > len(columns):
+            raise InstructionFileError(
+                f"{path}: row {number}: expected at most {len(columns)} cells, got "
+                f"{len(cells)}"
+            )
+        named = zip(columns, cells, strict=False)
+        rows += [{name: cell for name, cell in named if cell}] if cells else []
+    return columns, rows
+
+
+def _as_parquet(rows: list[dict[str, Any]]) -> bytes:
+    # Imported here: it takes longer than all else of a command.
+    import pyarrow
+    import pyarrow.parquet
+
+    content = io.BytesIO()
+    pyarrow.parquet.write_table(pyarrow.Table.from_pylist(rows), content)
+    return content.getvalue()
+
+
+def _from_parquet(path: str | Path) -> tuple[Sequence[str], list[dict[str, Any]]]:
+    import pyarrow.parquet
+
+    content = io.BytesIO(read_file(path, InstructionFileError))
+    try:
+        table = pyarrow.parquet.read_table(content)
+        return table.column_names, table.to_pylist()
+    except (OSError, ValueError) as error:
+        raise InstructionFileError(f"{path}: cannot be read ({error})") from None

@@ -1,0 +1,53 @@
+"""Work done by several processes of this machine, its results in order."""
+
+import multiprocessing
+import signal
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+from typing import TypeVar
+
+from memorymaze.basics.errors import MemoryMazeError
+from memorymaze.basics.processes import available_cores, die_with_parent, main_left_out
+
+Task = TypeVar("Task")
+_Result = TypeVar("_Result")
+
+# Children of a server hold no locks or threads of the parent's libraries, and begin with
+# what the server has imported once for all of them.
+PROCESSES = multiprocessing.get_context("forkserver")
+PROCESSES.set_forkserver_preload(["memorymaze.texts.datasets"])
+
+
+def done_by_processes(
+    do: Callable[[Task], _Result], tasks: Sequence[Task], workers: int
+) -> Iterator[_Result]:
+    """Do tasks; with one worker in this process.
+
+    Args:
+        do: A function that other processes can import, with arguments they can get.
+        tasks: What it is called with.
+        workers: Processes; 0 for one per core.
+    """
+    workers = min(workers or available_cores(), len(tasks))
+    if workers <= 1:
+        yield from map(do, tasks)
+        return
+    pool = ProcessPoolExecutor(workers, PROCESSES, initializer=_begin)
+    try:
+        with main_left_out():
+            results = [pool.submit(do, task) for task in tasks]
+        for result in results:
+            yield result.result()
+    except BrokenProcessPool:
+        raise MemoryMazeError(
+            "a worker process was killed; with little memory, try fewer --workers"
+        ) from None
+    finally:
+        pool.shutdown(cancel_futures=True)
+
+
+def _begin() -> None:
+    # Ctrl-C reaches every process of the terminal; the parent decides what it means.
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    die_with_parent()

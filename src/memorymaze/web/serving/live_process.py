@@ -1,0 +1,96 @@
+"""A process with a robot that somebody looks on at: messages to and fro, and its end.
+
+A process, not a thread: the pages go on being served while it thinks or draws, it can
+be ended at any moment, and what it opened (such as OpenGL) ends with it.
+"""
+
+import contextlib
+import multiprocessing
+import os
+import signal
+import threading
+from collections.abc import Callable
+from multiprocessing import forkserver
+from multiprocessing.connection import Connection
+from typing import Any
+
+from memorymaze.basics.errors import MemoryMazeError
+from memorymaze.basics.processes import die_with_parent, main_left_out
+
+PROCESSES = multiprocessing.get_context("forkserver")
+
+Work = Callable[[Connection], None]
+"""What a process does, with its end of the connection; pickled on the way there."""
+
+
+def prepare_processes(module: str) -> None:
+    """Import a module before the first robot is asked for; children begin with it."""
+    PROCESSES.set_forkserver_preload([module])
+    forkserver.ensure_running()
+
+
+class ProcessLost(Exception):
+    """The last message of a process: it is gone, and why, in words for its user."""
+
+
+class LiveProcess:
+    """A process and the messages from it, which are told as they come."""
+
+    def __init__(self, work: Work, hear: Callable[[Any], None]) -> None:
+        """Start the process; `hear` is called in a thread, with a `ProcessLost` at the end."""
+        self._connection, theirs = PROCESSES.Pipe()
+        self._process = PROCESSES.Process(
+            target=_live, args=(theirs, work), daemon=True
+        )
+        with main_left_out():
+            self._process.start()
+        theirs.close()
+        self._telling = threading.Lock()
+        threading.Thread(target=self._listen, args=(hear,), daemon=True).start()
+
+    def tell(self, message: object) -> None:
+        """Send it a message; one that is gone says so by its `ProcessLost`."""
+        with self._telling, contextlib.suppress(OSError):
+            self._connection.send(message)
+
+    @property
+    def is_alive(self) -> bool:
+        """Whether it has not ended."""
+        return self._process.is_alive()
+
+    def end(self) -> None:
+        """End it now, whatever it does."""
+        self._process.kill()
+        self._process.join()
+
+    def _listen(self, hear: Callable[[Any], None]) -> None:
+        last: object = None
+        with contextlib.suppress(EOFError, OSError):
+            while not isinstance(last, ProcessLost):
+                last = self._connection.recv()
+                hear(last)
+        self.end()
+        if not isinstance(last, ProcessLost):
+            hear(ProcessLost("The robot was put away."))
+        with self._telling:
+            self._connection.close()
+
+
+def _live(connection: Connection, work: Work) -> None:
+    """Do the work; the life of a process."""
+    # Ctrl-C reaches every process of the terminal; the parent decides what it means.
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    with contextlib.suppress(OSError):
+        os.dup2(2, 1)
+    die_with_parent()
+    try:
+        work(connection)
+    except (EOFError, BrokenPipeError):
+        return
+    except MemoryMazeError as error:
+        connection.send(ProcessLost(str(error)))
+    except BaseException as error:
+        connection.send(
+            ProcessLost(f"The robot failed: {type(error).__name__}: {error}")
+        )
+        raise

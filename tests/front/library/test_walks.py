@@ -1,0 +1,90 @@
+import json
+from pathlib import Path
+
+import pytest
+
+import memorymaze as mm
+from memorymaze.basics.errors import SettingsError, SitePlanError
+
+
+class Ahead:
+    """Drives eight metres and is content."""
+
+    name = "ahead"
+
+    def follow(self, instruction, robot, journal, rng) -> None:
+        robot.move_forward(8.0)
+
+
+class Peeping(Ahead):
+    """Looks where the goal is."""
+
+    def follow(self, instruction, robot, journal, rng) -> None:
+        robot.move_forward(robot.scene.site.routes[0].line.length)
+
+
+@pytest.fixture
+def corridor(tiny_sites_folder: Path) -> Path:
+    return tiny_sites_folder / "corridor.geojson"
+
+
+@pytest.mark.parametrize("agent", [Ahead, Ahead()], ids=["class", "object"])
+def test_one_text_is_followed_by_an_agent_however_it_is_given(
+    agent, corridor: Path
+) -> None:
+    walk = mm.follow("Eight metres ahead.", agent, site=corridor)
+    assert walk.result.agent == "ahead"
+    assert walk.result.path_length == pytest.approx(8.0, abs=0.2)
+    assert walk.stopped_by == "agent"
+    assert "corridor route_r1" in repr(walk)
+
+
+def test_a_walk_draws_itself_on_the_plan(corridor: Path) -> None:
+    picture = mm.follow("Go.", Ahead, site=corridor).plot()
+    assert min(picture.size) > 100
+    assert len(picture.getcolors(1 << 20) or []) > 10
+
+
+def test_a_picture_that_fails_loses_no_walk(
+    corridor: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    walk = mm.follow("Go.", Ahead, site=corridor)
+
+    def failing(*_: object, **__: object) -> None:
+        raise SitePlanError("no picture")
+
+    monkeypatch.setattr("memorymaze.world.drawing.plan_picture.draw_walk", failing)
+    with pytest.raises(SitePlanError, match="no picture"):
+        walk.save(tmp_path)
+    assert len(json.loads((tmp_path / "trajectory.json").read_text())["poses"]) > 2
+    assert '"kind":"end"' in (tmp_path / "trace.jsonl").read_text().replace(" ", "")
+
+
+def test_an_agent_handed_over_as_an_object_sees_no_answers(corridor: Path) -> None:
+    walk = mm.follow("Go.", Peeping(), site=corridor)
+    assert walk.stopped_by == "crash"
+    assert "has no 'scene'" in str(walk.result.error)
+
+
+def test_settings_are_changed_by_name(corridor: Path) -> None:
+    walk = mm.follow("Go.", Ahead, site=corridor, time_budget=4.0)
+    assert walk.stopped_by == "budget"
+    with pytest.raises(SettingsError, match="did you mean 'time_budget'"):
+        mm.follow("Go.", Ahead, site=corridor, time_buget=4.0)
+
+
+def test_a_robot_by_hand_says_where_it_is(corridor: Path) -> None:
+    robot = mm.make_robot(corridor)
+    assert "corridor: x 2.00 m, y 0.00 m" in repr(robot)
+    robot.move_forward(3.0)
+    assert "3.0 m driven" in repr(robot)
+
+
+def test_a_robot_by_hand_has_nobody_who_answers(corridor: Path) -> None:
+    with pytest.raises(SettingsError, match="ask: expected none for a robot driven"):
+        mm.make_robot(corridor, ask=1)
+
+
+def test_what_is_no_agent_is_refused(corridor: Path) -> None:
+    with pytest.raises(SettingsError, match="expected an agent with `name`"):
+        mm.follow("Go.", object(), site=corridor)  # type: ignore[arg-type]

@@ -1,0 +1,96 @@
+"""Bodies of users' own for `--robot`: the simulated one behind the four functions."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from memorymaze.basics.geometry.pose import Pose
+from memorymaze.robot.simulation.body import SimulatedBody
+from memorymaze.robot.simulation.scene import build_scene
+from memorymaze.robot.simulation.settings import SimulationSettings
+from memorymaze.world.sites import Site
+
+_scene = cache(build_scene)
+opened: list["Wheels"] = []
+"""All bodies of this process."""
+
+
+@dataclass(frozen=True)
+class WheelOptions:
+    """What can be set."""
+
+    dies_after: float = 1e9
+    """Seconds after which it answers no more."""
+
+
+class Wheels:
+    """The simulated body, of which nothing but the four functions is seen."""
+
+    Options = WheelOptions
+
+    def __init__(
+        self,
+        site: Site,
+        start: Pose,
+        settings: SimulationSettings,
+        rng: np.random.Generator,
+        *,
+        options: WheelOptions | None = None,
+    ) -> None:
+        self._body = SimulatedBody(_scene(site), start, settings, rng)
+        self._dies_after = (options or WheelOptions()).dies_after
+        self.closed = 0
+        opened.append(self)
+        for name in ("odometry", "lidar_scan", "camera_picture"):
+            setattr(self, name, getattr(self._body, name))
+
+    def drive(self, speed: float, turn_rate: float, seconds: float) -> None:
+        if self._body.time > self._dies_after:
+            raise ConnectionError("no answer from the wheels")
+        self._body.drive(speed, turn_rate, seconds)
+
+    def close(self) -> None:
+        self.closed += 1
+
+
+class Localised(Wheels):
+    """The same, which also knows where it is on the plan."""
+
+    def pose_in_site(self) -> Pose:
+        return self._body.pose
+
+
+_made: Iterator[int] = iter(range(1000))
+
+
+def second_dies(*given: Any) -> Localised:
+    """Give bodies of which the second one made dies after two seconds."""
+    number = next(_made)
+    return Localised(*given, options=WheelOptions(2.0 if number == 1 else 1e9))
+
+
+def no_body(*given: Any) -> str:
+    """Give something else."""
+    return "wheels"
+
+
+def unreachable(*given: Any) -> Localised:
+    """Raise, as where no robot is there."""
+    raise ConnectionError("nobody answers")
+
+
+class Stays(Localised):
+    """The same, which cannot be put away."""
+
+    def close(self) -> None:
+        raise OSError("stuck in the door")
+
+
+class Lost(Localised):
+    """The same, which cannot tell where it begins."""
+
+    def pose_in_site(self) -> Pose:
+        raise ConnectionError("no map")

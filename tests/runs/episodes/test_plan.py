@@ -1,0 +1,44 @@
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from memorymaze.basics.errors import MemoryMazeError, SettingsError
+from memorymaze.robot.simulation.settings import SimulationSettings
+from memorymaze.runs.episodes.budgets import time_budget_for
+from memorymaze.runs.episodes.plan import RunPlan, plan_run
+from memorymaze.runs.episodes.settings import AgentSettings, RunSettings
+from memorymaze.texts.corpus import load_corpus
+
+Plan = Callable[..., RunPlan]
+
+
+def test_a_plan_has_the_sites_of_its_instructions_and_no_others(
+    tiny_plan: Plan,
+) -> None:
+    plan = tiny_plan("stop")
+    assert len(plan.episodes) == plan.settings.episodes == 12
+    assert set(plan.sites) == {"corridor", "loop", "t_junction"}
+    assert [stamp.name for stamp in plan.settings.sites] == list(plan.sites)
+
+
+def test_the_time_budget_is_that_of_these_sites_unless_it_is_given(
+    tiny_plan: Plan,
+) -> None:
+    plan = tiny_plan("stop")
+    routes = [route for site in plan.sites.values() for route in site.routes]
+    budget = time_budget_for(frozenset(), routes, SimulationSettings())
+    assert plan.settings.simulation.time_budget == budget
+    assert tiny_plan("stop", time_budget=7.5).settings.simulation.time_budget == 7.5
+
+
+def test_nothing_is_planned_for_an_agent_that_does_not_exist(tmp_path: Path) -> None:
+    with pytest.raises(SettingsError, match="expected one of"):
+        plan_run(AgentSettings("nobody"), settings=RunSettings(limit=1))
+
+
+def test_the_shipped_instructions_need_the_shipped_sites(
+    tiny_sites_folder: Path,
+) -> None:
+    with pytest.raises(MemoryMazeError, match=r"role_played\.jsonl:1: field 'site'"):
+        plan_run(AgentSettings("stop"), load_corpus(sites=tiny_sites_folder))

@@ -1,0 +1,98 @@
+import csv
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from memorymaze.basics.errors import SettingsError, StudyError
+from memorymaze.texts.corpus import load_instructions
+from memorymaze.web.studies.exporting import export_study
+from memorymaze.web.studies.study_file import Study
+
+MakeStudy = Callable[..., Study]
+ServeStudy = Callable[[Study], Any]
+WAY = "=Go straight on to the end of the corridor, then turn left at the junction."
+
+
+def take_part(visitor: Any) -> None:
+    visitor.reach_first_way("?PROLIFIC_PID=5f00aa77")
+    for telling in range(4):
+        visitor.send(text=f"{WAY} ({telling})")
+        if "A short question" in visitor.page:
+            visitor.send(answer_0="1")
+
+
+def rows_of(path: Path) -> list[dict[str, str]]:
+    with path.open(encoding="utf-8-sig", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def test_descriptions_of_who_finished_become_an_instruction_file(
+    make_study: MakeStudy, serve_study: ServeStudy, tmp_path: Path
+) -> None:
+    study = make_study()
+    with serve_study(study) as served:
+        one, other = served.browse(), served.browse()
+        take_part(one)
+        other.reach_first_way()
+        other.send(text=f"{WAY} Unfinished.")
+        done = export_study(study, served.store, tmp_path / "mine.jsonl")
+        [who] = [e for e in served.store.participants() if e.state == "complete"]
+        exports = [Path(each.path).name for each in served.store.exports()]
+    assert (done.instructions, done.participants) == (4, 1)
+    assert exports == ["mine.jsonl", "mine.csv"]
+    told = load_instructions([tmp_path / "mine.jsonl"])
+    first, second = who.order
+    assert [(each.route, each.iteration) for each in told] == [
+        (first, 1),
+        (first, 2),
+        (second, 1),
+        (second, 2),
+    ]
+    assert {(e.site, e.study, e.source, e.participant) for e in told} == {
+        ("t_junction", "online", "human", who.id)
+    }
+    assert [each.text for each in told] == [f"{WAY} ({n})" for n in range(4)]
+    for path in tmp_path.glob("mine.*"):
+        assert b"5f00aa77" not in path.read_bytes(), "an id of a platform"
+
+
+def test_the_table_has_what_was_measured_and_the_treatment(
+    make_study: MakeStudy, serve_study: ServeStudy, tmp_path: Path
+) -> None:
+    study = make_study("memory", "delay_minutes = 0")
+    with serve_study(study) as served:
+        one = served.browse()
+        one.reach_first_way()
+        [who] = served.store.participants()
+        for route in who.order:
+            for kind in ("play", "ended", "again", "play", "ended"):
+                one.post(f"/event/watch.{route}", kind=kind, value="0")
+            one.send()
+            one.send(text=WAY)
+            one.send(text=WAY)
+            if "A short question" in one.page:
+                one.send(answer_0="0")
+        assert "Thank you!" in one.page
+        export_study(study, served.store, tmp_path / "mine.jsonl")
+    first, again, *_ = rows_of(tmp_path / "mine.csv")
+    assert (first["video_plays"], first["video_watched_again"]) == ("2", "1")
+    assert float(first["seconds"]) >= 0
+    assert first["attention_checks_failed"] == "1"
+    assert first["comprehension_attempts"] == "1"
+    assert first["familiarity"] == "I have never been there"
+    assert again["told_before"] == study.design.robot
+    # A spreadsheet shows a text that begins as a formula does, and runs nothing.
+    assert first["text"] == f"'{WAY}"
+
+
+def test_without_anybody_who_finished_there_is_nothing_to_export(
+    make_study: MakeStudy, serve_study: ServeStudy, tmp_path: Path
+) -> None:
+    study = make_study()
+    with serve_study(study) as served:
+        with pytest.raises(StudyError, match="expected participants who have finished"):
+            export_study(study, served.store, tmp_path / "mine.jsonl")
+        with pytest.raises(SettingsError, match=r"expected a file named \*.jsonl"):
+            export_study(study, served.store, tmp_path / "mine.txt")
