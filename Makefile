@@ -16,7 +16,7 @@ LIMIT ?= 12
 TABLE_TWO ?= runs/table-two-$(VERSION)
 OPTIONS ?=
 
-.PHONY: benchmark table-two test proof test-local-llm check wheel-check bench setup install clean
+.PHONY: benchmark table-two test proof test-local-llm check docs wheel-check bench setup install clean
 
 benchmark: install
 	$(BIN)/memorymaze benchmark --workers $(WORKERS) --out $(RUN)
@@ -65,6 +65,12 @@ check: setup
 	$(BIN)/lint-imports
 	$(BIN)/pytest -n auto
 
+# The pages as a site, in site/; fails where a link leads nowhere.
+docs: setup
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check \
+		--constraint constraints.txt --group docs
+	$(BIN)/mkdocs build
+
 # What a release would hand out, into dist/, and tried in an environment outside of here.
 wheel-check: setup
 	$(BIN)/python scripts/check_release.py
@@ -87,4 +93,4 @@ $(VENV)/.ready: $(INPUTS)
 	touch $@ $(VENV)/.installed
 
 clean:
-	rm -rf $(VENV) dist runs .pytest_cache .ruff_cache .hypothesis .import_linter_cache
+	rm -rf $(VENV) dist site runs .pytest_cache .ruff_cache .hypothesis .import_linter_cache

@@ -19,7 +19,7 @@ from memorymaze.agents.notes import (
     note_of,
 )
 
-PAGE = Path(__file__).parents[2] / "docs" / "data_formats.md"
+PAGE = Path(__file__).parents[2] / "docs" / "formats.md"
 
 
 def test_the_page_on_formats_lists_the_notes_with_their_fields() -> None:

@@ -26,7 +26,7 @@ from memorymaze.runs.episodes.trace_entries import (
     read_entry,
 )
 
-PAGE = Path(__file__).parents[3] / "docs" / "data_formats.md"
+PAGE = Path(__file__).parents[3] / "docs" / "formats.md"
 HERE = (1.0, 2.0, 0.5)
 DOOR = Detection("door", (0.0, 0.0, 9.0, 9.0), 0.9, 2.0, -3.0, 1)
 

@@ -20,7 +20,7 @@ from memorymaze.runs.tables import (
 
 Make = Callable[..., EpisodeResult]
 Write = Callable[..., Path]
-PAGE = Path(__file__).parents[3] / "docs" / "results.md"
+PAGE = Path(__file__).parents[3] / "docs" / "runs.md"
 
 
 def test_the_table_of_ones_own_on_the_page_is_one(

@@ -64,12 +64,12 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--ray",
         metavar="ADDRESS",
-        help="workers on a Ray cluster (docs/scaling.md)",
+        help="workers on a Ray cluster (docs/runs.md)",
     )
     what.add_argument(
         "--suite",
         metavar="FILE",
-        help="several runs and their tables, as a file says (docs/results.md)",
+        help="several runs and their tables, as a file says (docs/command_line.md)",
     )
     followed = parser.add_argument_group("what is followed")
     add_corpus_options(followed)

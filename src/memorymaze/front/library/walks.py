@@ -69,7 +69,7 @@ class Walk:
 
     @property
     def trace(self) -> tuple[dict[str, Any], ...]:
-        """Every call and note in the order of time; see `docs/data_formats.md`."""
+        """Every call and note in the order of time; see `docs/formats.md`."""
         return plain_entries(self.run.trace)
 
     def plot(self) -> "Image":

@@ -51,7 +51,7 @@ class EpisodeRun:
     result: EpisodeResult
     trajectory: Trajectory
     trace: tuple[TraceEntry, ...]
-    """Entries in the order of time; see `docs/data_formats.md`."""
+    """Entries in the order of time; see `docs/formats.md`."""
     interpreter_lost: bool = False
     """Whether the process that ran the agent's program died."""
 

@@ -143,7 +143,7 @@ class RunSettings:
     and were not read while the agents were developed"""
     shard: Shard | None = field(default=None, metadata={"reader": parse_shard})
     """only the I-th of N parts of the run, alike in size, given as I/N; it lies in the run's
-    folder, which is read as one run when all are there (docs/scaling.md)"""
+    folder, which is read as one run when all are there (docs/runs.md)"""
     second_telling: bool = False
     """hand the agent both tellings of a way by the same person as one text; people who
     told it once are left out (docs/agents.md)"""

@@ -1,6 +1,6 @@
 """The entries of a trace: what writes them makes these records, what reads them gets these.
 
-Their fields are those of the lines on disk; see `docs/data_formats.md`.
+Their fields are those of the lines on disk; see `docs/formats.md`.
 """
 
 from collections.abc import Iterable, Mapping, Sequence

@@ -80,7 +80,7 @@ class BeliefTimeline:
     """Metres of the walk."""
     end: ArrivalNote | GaveUpNote | None
     unread: int
-    """Notes of these kinds that are not as docs/report.md says."""
+    """Notes of these kinds that are not as docs/runs.md says."""
 
     @property
     def end_words(self) -> str:

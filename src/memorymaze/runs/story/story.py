@@ -28,7 +28,7 @@ class Story:
     """What a reader sees of an episode of one run."""
 
     entries: tuple[TraceEntry, ...]
-    """The trace, see `docs/data_formats.md`."""
+    """The trace, see `docs/formats.md`."""
     walk: Trajectory
     events: tuple[Event, ...]
     """In the order of the trace."""

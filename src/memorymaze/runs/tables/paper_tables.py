@@ -68,7 +68,7 @@ ONLY_DATA = (
     *(f"{name}_per_100m" for name in PER_DISTANCE),
     *("waiting_s_per_episode", "ask", "passers_by"),
 )
-"""What only CSV and frames have; see `docs/results.md`."""
+"""What only CSV and frames have; see `docs/runs.md`."""
 
 
 def paper_table(

@@ -45,7 +45,7 @@ def parsed(record: Mapping[str, Any], place: str) -> Instruction:
     """Check a record of ours that another format carried.
 
     Raises:
-        InstructionFileError: It is not as `docs/data_formats.md` says.
+        InstructionFileError: It is not as `docs/formats.md` says.
     """
     instruction, unknown, problems = parse_line(json.dumps(record), place)
     if instruction is None or unknown:

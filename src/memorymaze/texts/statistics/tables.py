@@ -31,7 +31,7 @@ TABLE_ONE_KEY = (
 )
 SPEECH_KEY = (
     "Per text, per 100 words (/100), and share of texts with at least one. Counted by lists of "
-    "English phrases (docs/statistics.md); corrections include words said twice over or "
+    "English phrases (docs/runs.md); corrections include words said twice over or "
     "broken off."
 )
 THINGS_KEY = (

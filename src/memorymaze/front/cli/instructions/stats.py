@@ -13,7 +13,7 @@ def add_parser(actions: Verbs) -> None:
         help="Table I, words, marks of speech, things and distances",
         description="Describe instruction files: the paper's Table I beside the "
         "published figures, distinct words, hedges, fillers and corrections, things "
-        "named, and how far stated distances are from true ones (docs/statistics.md).",
+        "named, and how far stated distances are from true ones (docs/runs.md).",
         epilog="example: memorymaze instructions stats --format html --out stats.html",
     )
     add_files(parser)

@@ -1,0 +1,51 @@
+"""What pages tell to type is understood, and the page on the command line has every verb."""
+
+import argparse
+import re
+import shlex
+from collections.abc import Iterator
+from itertools import takewhile
+from pathlib import Path
+
+import pytest
+
+from memorymaze.cli.main import command_line
+
+PROJECT = Path(__file__).parents[1]
+PAGES = (PROJECT / "README.md", *sorted((PROJECT / "docs").glob("*.md")))
+COMMAND = re.compile(r"^ {4,}(?:\.venv/bin/)?memorymaze ((?:.*\\\n)*.*)$", re.MULTILINE)
+
+
+def commands_of(page: Path) -> list[list[str]]:
+    """What stands behind `memorymaze`, without comments and what a shell does after it."""
+    found = COMMAND.findall(page.read_text(encoding="utf-8"))
+    words = [shlex.split(each.replace("\\\n", " "), comments=True) for each in found]
+    ends = {"|", "&&", ">", "&"}
+    return [list(takewhile(lambda word: word not in ends, each)) for each in words]
+
+
+def verbs_of(parser: argparse.ArgumentParser) -> Iterator[tuple[str, ...]]:
+    for action in parser._actions:
+        if isinstance(action, argparse._SubParsersAction):
+            for name, below in action.choices.items():
+                yield from [(name, *verbs) for verbs in verbs_of(below)] or [(name,)]
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_a_command_of_a_page_is_one(
+    page: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    wrong: list[str] = []
+    for command in commands_of(page):
+        try:
+            command_line().parse_args(command)
+        except SystemExit as stop:
+            if stop.code:
+                wrong.append(f"{shlex.join(command)}: {capsys.readouterr().err}")
+    assert wrong == []
+
+
+def test_the_page_of_the_command_line_has_every_verb() -> None:
+    told = commands_of(PROJECT / "docs" / "command_line.md")
+    begun = {tuple(each[:words]) for each in told for words in (1, 2)}
+    assert [verb for verb in verbs_of(command_line()) if verb not in begun] == []
