@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from memorymaze.cli.main import command_line
+from memorymaze.front.cli.main import command_line
 
 PROJECT = Path(__file__).parents[1]
 PAGES = (PROJECT / "README.md", *sorted((PROJECT / "docs").glob("*.md")))
