@@ -70,7 +70,7 @@ class PlanReader(ABC):
 
 
 class GrammarReader(PlanReader):
-    """Reads with the grammar of `understanding`."""
+    """Reads with the grammar of `reading`."""
 
     @property
     def variant(self) -> str:

@@ -2,7 +2,7 @@
 
 Importing this registers `MemoryMaze/University-v0`, `MemoryMaze/Museum5F-v0`,
 `MemoryMaze/Museum7F-v0` and `MemoryMaze/Site-v0`. Observations,
-actions and rewards are in here; episodes, robot and scores are those of `evaluation`.
+actions and rewards are in here; episodes, robot and scores are those of `runs`.
 """
 
 from memorymaze.gym.actions import ContinuousActions, DiscreteActions

@@ -30,7 +30,7 @@ def test_the_file_is_kept_by_its_content_and_told(
 ) -> None:
     kept = tiny_plan("stop", signs="ocr", looks=str(things)).settings
     assert [stamp.name for stamp in kept.looks_files] == ["my_things.glb"]
-    assert f"cameras show models of {things} (docs/assets.md)" in [
+    assert f"cameras show models of {things} (docs/seeing.md)" in [
         *sense_notes(kept, [])
     ]
 

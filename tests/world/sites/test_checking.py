@@ -16,7 +16,7 @@ from memorymaze.world.sites import (
 from memorymaze.world.sites.problems import Rule, SiteProblem
 
 Changed = Callable[[str, str, dict[str, Any]], Path]
-DOCUMENT = Path(__file__).parents[3] / "docs" / "site_plans.md"
+DOCUMENT = Path(__file__).parents[3] / "docs" / "buildings.md"
 SHAPE = "geometry.coordinates"
 REFERENCE = "route_r1_reference"
 ALTERNATIVE = "route_r1_alternative"

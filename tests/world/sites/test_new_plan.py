@@ -7,7 +7,7 @@ from memorymaze.basics.errors import SettingsError
 from memorymaze.world.sites import find_site_problems, load_site
 from memorymaze.world.sites.loading import new_plan
 
-PAGE = Path(__file__).parents[3] / "docs" / "site_plans.md"
+PAGE = Path(__file__).parents[3] / "docs" / "buildings.md"
 
 
 def test_a_new_plan_breaks_no_rule(tmp_path: Path):
@@ -19,7 +19,7 @@ def test_a_new_plan_breaks_no_rule(tmp_path: Path):
     assert site.find_route("R1").goal_landmark == "door_library"
 
 
-def test_the_page_on_plans_begins_with_the_new_plan():
+def test_the_page_on_buildings_begins_with_the_new_plan():
     example = PAGE.read_text("utf-8").split("```json\n")[1].split("```")[0]
     assert example == new_plan("annex").decode()
 

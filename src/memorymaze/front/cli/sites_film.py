@@ -44,7 +44,7 @@ def add_film(actions: Verbs) -> None:
         default="own",
         metavar="LOOKS",
         help="how things look: own, mesh (PLAN.glb beside the plan), or a GLB file with "
-        "models of yours over our own (docs/assets.md)",
+        "models of yours over our own (docs/seeing.md)",
     )
     parser.set_defaults(run=_run)
 

@@ -1,7 +1,7 @@
 """What a description of a way says, as records that readers and writers share.
 
 Holds the records of the plan language, their files and their words in plain English. Does
-not hold how they are read from texts (`understanding`), how texts are made of them
+not hold how they are read from texts (`reading`), how texts are made of them
 (`writing`) or how one walks with them (`agents`).
 """
 

@@ -1,7 +1,7 @@
 """Reading English route descriptions: text in, a plan out.
 
 Holds the grammar and the words of descriptions (`data`). Does not hold what a plan is
-(`routes`), how one walks with it (`agents`) or how texts are made (`writing`).
+(`plans`), how one walks with it (`agents`) or how texts are made (`writing`).
 """
 
 from memorymaze.language.reading.reading import parse_route_description

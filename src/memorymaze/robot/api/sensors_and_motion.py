@@ -2,7 +2,7 @@
 
 A body is a robot of ROS 2, a vehicle of another simulator, or the simulated robot itself.
 `memorymaze.robot.steering.guide_robot.GuideRobot` makes a `SteppingRobot` of any of them;
-docs/other_robots.md tells how, with a body of 40 lines.
+docs/bodies.md tells how, with a body of 40 lines.
 """
 
 import math

@@ -132,7 +132,7 @@ def sense_notes(
     if settings.simulation.motion == "kinematic":
         yield "KINEMATIC MOTION: the robot goes for its speeds exactly, without physics."
     if settings.looks is not None:
-        models = f"models of {settings.looks} (docs/assets.md)"
+        models = f"models of {settings.looks} (docs/seeing.md)"
         yield f"cameras show {LOOKS.get(settings.looks, models)}"
     metres = settings.simulation.detection_range
     if metres != SimulationSettings().detection_range:

@@ -195,7 +195,7 @@ class RunSettings:
     read plans"""
     looks: Looks | None = None
     """how things look to cameras: own (where none is given), mesh (PLAN.glb beside the
-    plan), or a GLB file with models of yours over our own (docs/assets.md)"""
+    plan), or a GLB file with models of yours over our own (docs/seeing.md)"""
     wall_limit: float = WALL_LIMIT
     """real time after which an episode is given up as a crash, seconds"""
     simulation: SimulationSettings = field(default_factory=SimulationSettings)

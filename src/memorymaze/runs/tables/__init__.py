@@ -3,8 +3,8 @@
 Each is a question in data form (`questions`): how runs are split into rows, and of which
 quantities the means, or the differences, are shown. What is shown of a metric stands at
 its field of `EpisodeResult`. All of them are a `memorymaze.basics.tables.Table`, which knows the
-formats. Pages are in `results.report`, statistics of instructions in
-`results.instruction_study`.
+formats. Pages are in `report`, statistics of instructions in
+`texts.statistics`.
 
     runs = load_runs(["runs/guide", "runs/mine"])
     run_tables(runs, "II")[0].frame()

@@ -1,8 +1,8 @@
 """What people said: instructions, their files, and the corpora made of them.
 
-Holds records, files and their checks, other benchmarks' formats (`exchange`), another
-corpus (`sail`), and counts of words. Who runs on a corpus is in `evaluation`; how texts
-are read and made up in `understanding` and `writing`.
+Holds records, files and their checks, another corpus (`sail`), and counts of words. Other
+benchmarks' formats are in `exchange`, who runs on a corpus is in `runs`, how texts are read
+and made up in `reading` and `writing`.
 """
 
 from memorymaze.texts.corpus.corpus import episodes, load_corpus

@@ -1,7 +1,7 @@
 """What instructions say, in numbers: Table I, words, marks of speech, distances.
 
 `study` counts, `named_things` and `stated_distances` compare texts with the building,
-`tables` and `page` show. Statistics of results are in `results.tables`.
+`tables` and `page` show. Statistics of results are in `runs.tables`.
 """
 
 from collections.abc import Mapping, Sequence

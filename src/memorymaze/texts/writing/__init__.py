@@ -1,7 +1,7 @@
 """Made-up instructions: told from routes by a grammar or a language model, with errors.
 
 Holds voices, phrases, mistakes and outlines. Does not hold how texts are understood
-(`understanding`), nor what people really said (`instructions`).
+(`reading`), nor what people really said (`corpus`).
 """
 
 from memorymaze.texts.writing.grammar import write_texts

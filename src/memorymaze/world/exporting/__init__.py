@@ -1,7 +1,7 @@
 """Buildings for others' simulators: glTF and more, with the plan's names and ids.
 
 Holds one file per format, and the building as named meshes that they are made from. How
-things look is made in `pictures`; what comes in is `importing`.
+things look is made in `looks`; what comes in is `importing`.
 """
 
 from collections.abc import Callable

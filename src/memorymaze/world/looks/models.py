@@ -1,6 +1,6 @@
 """Models of things from a GLB file: the one that fits, stretched, painted, with words.
 
-A node is called as a kind of thing; `docs/assets.md` tells what else a file may say.
+A node is called as a kind of thing; `docs/seeing.md` tells what else a file may say.
 """
 
 import math
@@ -180,7 +180,7 @@ def read_models(
         names = ", ".join(repr(each.name) for root in roots for each in root.all())
         raise SettingsError(
             f"{path}: expected nodes that are called as kinds of things, such as "
-            f"'bench', got {names or 'no nodes'}; docs/assets.md lists the kinds"
+            f"'bench', got {names or 'no nodes'}; docs/seeing.md lists the kinds"
         )
     return {kind: tuple(group) for kind, group in found.items()}
 

@@ -1,7 +1,7 @@
 """What there is to see in a scene, and to read: doors, landmarks, things and people.
 
 They are named and covered with points; whether they are seen from somewhere is decided in
-`visibility.py`. How words are really painted is a matter of `pictures`; here are its
+`visibility.py`. How words are really painted is a matter of `looks`; here are its
 rules of thumb, so that runs which never draw need none of it.
 """
 
