@@ -22,9 +22,9 @@ from memorymaze.runs.episodes.agent_catalogue import (
     agent_names,
     choose_agent,
 )
-from memorymaze.runs.episodes.answers import open_requests
 from memorymaze.runs.episodes.arena import Arena
 from memorymaze.runs.episodes.episode import run_episode
+from memorymaze.runs.episodes.open_requests import open_requests
 from memorymaze.runs.episodes.plan import RunPlan, plan_run
 from memorymaze.runs.episodes.results import EpisodeResult
 from memorymaze.runs.episodes.settings import AgentSettings, RunSettings

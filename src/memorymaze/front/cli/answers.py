@@ -125,7 +125,7 @@ def _write_requests(options: argparse.Namespace) -> None:
     from memorymaze.basics.durable_files import write_new
     from memorymaze.language.models.answer_files import AnswerFile
     from memorymaze.language.models.batch_files import request_line
-    from memorymaze.runs.episodes.answers import open_requests
+    from memorymaze.runs.episodes.open_requests import open_requests
 
     store = AnswerFile.sound(options.store, make=True)
     length = "max_completion_tokens" if options.max_completion_tokens else "max_tokens"
@@ -172,7 +172,7 @@ def _import_replies(options: argparse.Namespace) -> None:
 
 def _check(options: argparse.Namespace) -> int:
     from memorymaze.basics.errors import AnswerFileError
-    from memorymaze.runs.episodes.answers import remarks_on
+    from memorymaze.runs.episodes.open_requests import remarks_on
 
     try:
         plan = _plan(options, options.file)

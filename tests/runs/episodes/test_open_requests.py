@@ -21,7 +21,7 @@ from memorymaze.language.models.model_settings import ModelSettings
 from memorymaze.language.models.scripted_model import ScriptedLanguageModel
 from memorymaze.language.models.spending import TokenPrice
 from memorymaze.runs.episodes.agent_catalogue import agent_names, choose_agent
-from memorymaze.runs.episodes.answers import open_requests, remarks_on
+from memorymaze.runs.episodes.open_requests import open_requests, remarks_on
 from memorymaze.runs.episodes.plan import RunPlan, plan_run
 from memorymaze.runs.episodes.settings import AgentSettings, differences
 from memorymaze.runs.work.driver import run_plan
