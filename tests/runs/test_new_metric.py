@@ -48,10 +48,12 @@ def add_the_metric(package: Path) -> None:
     """Write the two snippets of the page into the two files that it names."""
     page = (PROJECT / "docs" / "metrics.md").read_text(encoding="utf-8")
     section = page.split("## A new metric")[1].split("\n## ")[0]
-    function, field = re.findall(r"```python\n(.*?)```", section, re.DOTALL)
-    formula = package / "metrics" / "efficiency.py"
+    [function] = re.findall(r"```python\n(.*?)```", section, re.DOTALL)
+    [added] = re.findall(r"```diff\n(.*?)```", section, re.DOTALL)
+    field = re.sub(r"^\+", "", added, flags=re.MULTILINE)
+    formula = package / "runs" / "metrics" / "efficiency.py"
     formula.write_text(formula.read_text(encoding="utf-8") + function, encoding="utf-8")
-    results = package / "evaluation" / "results.py"
+    results = package / "runs" / "episodes" / "results.py"
     imports, field = field.split("\n\n", 1)
     before, after = results.read_text(encoding="utf-8").split("\n\n_RESULT =")
     before = before.replace("\nfrom ", f"\n{imports}\nfrom ", 1)

@@ -90,7 +90,7 @@ def test_every_kind_has_a_model_and_every_model_is_of_a_kind():
 
 def test_all_kinds_are_told():
     page = Path("docs/seeing.md").read_text(encoding="utf-8")
-    listed = page.partition("These kinds can be shown:")[2].partition("##")[0]
+    listed = page.partition("**Kinds** that can be shown:")[2].partition("\n\n")[0]
     kinds = {" ".join(each.split()) for each in listed.strip(" .\n").split(",")}
     assert kinds == set(archetypes()) - WINDOWS
 
