@@ -23,12 +23,10 @@ def add_parser(verbs: Verbs) -> None:
     """Add the verb to the command line."""
     parser = verbs.add_parser(
         "sites",
-        help="list, begin, edit, make, import, export, check, draw and film site plans, and get "
-        "models for them",
+        help="list, begin, edit, make, import, export, check, draw and film site plans",
         description="List, begin, edit, make, check, draw and film site plans "
         "(docs/buildings.md), import them from other formats (docs/importing.md) and "
-        "export them (docs/simulators.md), and convert models for what stands in them "
-        "(docs/seeing.md).",
+        "export them (docs/simulators.md).",
         epilog="example: memorymaze sites check my_buildings/annex.geojson",
     )
     parts = parser.add_subparsers(title="verbs", metavar="VERB", required=True)
