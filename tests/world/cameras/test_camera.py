@@ -13,7 +13,7 @@ from memorymaze.basics.errors import RenderingError, SettingsError
 from memorymaze.basics.geometry.pose import Pose
 from memorymaze.basics.robot_size import CAMERA_HEIGHT
 from memorymaze.robot.simulation.motion.wheeled_base import ROBOT_GROUP
-from memorymaze.robot.simulation.obstacles.settings import people
+from memorymaze.robot.simulation.obstacles.movables import people
 from memorymaze.robot.simulation.scene import Scene
 from memorymaze.world.cameras import (
     RenderedCamera,

@@ -21,12 +21,9 @@ from memorymaze.robot.simulation.motion.wheeled_base import (
     SOLID_CONTACT,
     add_wheeled_base,
 )
+from memorymaze.robot.simulation.obstacles.movables import people, things
 from memorymaze.robot.simulation.obstacles.placing import stretches
-from memorymaze.robot.simulation.obstacles.settings import (
-    ObstacleSettings,
-    people,
-    things,
-)
+from memorymaze.robot.simulation.obstacles.settings import ObstacleSettings
 from memorymaze.robot.simulation.obstacles.walking import Walks
 from memorymaze.world.sites.records import Site
 from memorymaze.world.sites.scene_objects import Movable, SceneObject

@@ -3,16 +3,16 @@ import pytest
 import shapely
 from shapely import Point, union_all
 
+from memorymaze.robot.simulation.obstacles.movables import left_standing, things
 from memorymaze.robot.simulation.obstacles.placing import (
     PASSAGE,
     footprint,
     place_things,
     stretches,
 )
-from memorymaze.robot.simulation.obstacles.settings import LEFT_STANDING, things
 from memorymaze.world.sites.records import Site
 
-ALL_KINDS = tuple(LEFT_STANDING)
+ALL_KINDS = tuple(left_standing())
 
 
 def _placed(site: Site, count: int, seed: int, keep_free: list[tuple[float, float]]):

@@ -12,7 +12,7 @@ from memorymaze.robot.simulation.obstacles import (
     ("text", "expected"),
     [
         pytest.param("medium", ObstacleSettings(), id="a level"),
-        pytest.param("light", LEVELS["light"], id="another level"),
+        pytest.param("light", ObstacleSettings(*LEVELS["light"]), id="another level"),
         pytest.param(
             "heavy,seed=3",
             ObstacleSettings(things_per_100m=8.0, people_per_100m2=2.0, seed=3),

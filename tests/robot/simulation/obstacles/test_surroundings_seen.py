@@ -7,7 +7,7 @@ import pytest
 
 from memorymaze.basics.geometry.pose import Pose
 from memorymaze.robot.simulation.obstacles import ObstacleSettings
-from memorymaze.robot.simulation.obstacles.settings import LEFT_STANDING
+from memorymaze.robot.simulation.obstacles.movables import left_standing
 from memorymaze.robot.simulation.robot import SimulatedRobot
 from memorymaze.robot.simulation.scene import build_scene
 
@@ -46,7 +46,7 @@ def test_people_hide_what_is_behind_them(plans, crowded, person_of):
     assert robot.detect_from_RGB_image("box") == []
 
 
-@pytest.mark.parametrize("kind", LEFT_STANDING)
+@pytest.mark.parametrize("kind", left_standing())
 def test_things_are_called_what_they_are(wide, kind: str):
     obstacles = ObstacleSettings(things_per_100m=12, people=0, kinds=(kind,))
     scene = build_scene(wide, obstacles)

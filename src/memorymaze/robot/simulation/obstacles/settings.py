@@ -1,20 +1,11 @@
 """How much stands in the way and how many people walk about in a run, and of which kinds."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass, field
-from itertools import cycle, islice
 from typing import Literal
 
 from memorymaze.basics.errors import SettingsError, did_you_mean
 from memorymaze.basics.options import check_number, parse_options, write_options
-from memorymaze.world.sites.scene_objects import PERSON, Movable
-from memorymaze.world.sites.things import ThingKind, thing_kinds
 
-PERSON_RADII = (0.27, 0.25, 0.30, 0.26, 0.28)
-"""Metres; they take turns."""
-PERSON_HEIGHTS = (1.72, 1.60, 1.84, 1.66, 1.78, 1.55, 1.70)
-"""Metres; they take turns."""
-CLOTHES = ("dark blue", "grey", "red", "black", "green", "beige", "white", "brown")
 MOST_PEOPLE = 1000
 """On a floor. With far more, an episode does not begin within a minute."""
 
@@ -23,48 +14,11 @@ PassersBy = Literal["memory", "wrong", "empty", "model"]
 that they do not know; or a language model from their memory."""
 
 
-LEFT_STANDING = {
-    kind.name.replace(" ", "_"): kind
-    for kind in thing_kinds().values()
-    if kind.left_standing
-}
-"""Kinds of things that are left standing in corridors, by the names that settings use."""
+def _kinds() -> tuple[str, ...]:
+    # The table of things needs the records of plans, which settings alone do not.
+    from memorymaze.robot.simulation.obstacles.movables import left_standing
 
-
-def things(count: int, kinds: Sequence[str]) -> list[Movable]:
-    """Return so many things, the kinds taking turns."""
-    return [
-        _left_standing(f"{name}-{number}", LEFT_STANDING[name])
-        for number, name in enumerate(islice(cycle(kinds), count))
-    ]
-
-
-def _left_standing(identity: str, kind: ThingKind) -> Movable:
-    return Movable(
-        identity,
-        kind.name,
-        kind.colors[0],
-        kind.size,
-        next(iter(kind.texts), None),
-        kind.left_standing == "anywhere",
-    )
-
-
-def people(count: int) -> list[Movable]:
-    """Return so many people of different sizes."""
-    return [
-        Movable(
-            id=f"{PERSON}-{number}",
-            category=PERSON,
-            color=CLOTHES[number % len(CLOTHES)],
-            size=(
-                2 * PERSON_RADII[number % len(PERSON_RADII)],
-                2 * PERSON_RADII[number % len(PERSON_RADII)],
-                PERSON_HEIGHTS[number % len(PERSON_HEIGHTS)],
-            ),
-        )
-        for number in range(count)
-    ]
+    return tuple(left_standing())
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,8 +35,8 @@ class ObstacleSettings:
     """People walking about, per 100 square metres of floor."""
     people: int | None = None
     """Number of people, whatever the size of the floor; None goes by the density."""
-    kinds: tuple[str, ...] = tuple(LEFT_STANDING)
-    """Kinds of things, by their names in `LEFT_STANDING`; they take turns."""
+    kinds: tuple[str, ...] = field(default_factory=_kinds)
+    """Kinds of things, by their names in `movables.left_standing`; they take turns."""
     patience: float = 15.0
     """Seconds a move waits for people before it reports an obstacle."""
     seed: int = 0
@@ -99,10 +53,11 @@ class ObstacleSettings:
         check_number(named("seed"), self.seed, 0, whole=True)
         if self.people is not None:
             check_number(named("people"), self.people, 0, MOST_PEOPLE, whole=True)
-        unknown = [kind for kind in self.kinds if kind not in LEFT_STANDING]
+        known = _kinds()
+        unknown = [kind for kind in self.kinds if kind not in known]
         if unknown or not self.kinds:
             raise SettingsError(
-                f"obstacle setting kinds: expected some of {', '.join(LEFT_STANDING)}, "
+                f"obstacle setting kinds: expected some of {', '.join(known)}, "
                 f"got {', '.join(map(repr, unknown)) or 'none'}"
             )
 
@@ -121,12 +76,8 @@ class ObstacleSettings:
         return round(self.people_per_100m2 * area / 100)
 
 
-LEVELS = {
-    "light": ObstacleSettings(things_per_100m=2.0, people_per_100m2=0.5),
-    "medium": ObstacleSettings(),
-    "heavy": ObstacleSettings(things_per_100m=8.0, people_per_100m2=2.0),
-}
-"""Settings that have a name."""
+LEVELS = {"light": (2.0, 0.5), "medium": (4.0, 1.0), "heavy": (8.0, 2.0)}
+"""Things per 100 m and people per 100 square metres that have a name."""
 
 
 def parse_obstacles(text: str) -> ObstacleSettings:
@@ -149,5 +100,8 @@ def parse_obstacles(text: str) -> ObstacleSettings:
             f"{did_you_mean(level, LEVELS)}"
         )
     return parse_options(
-        ObstacleSettings, rest, subject="obstacle setting", start=LEVELS[level]
+        ObstacleSettings,
+        rest,
+        subject="obstacle setting",
+        start=ObstacleSettings(*LEVELS[level]),
     )
