@@ -49,22 +49,15 @@ from memorymaze.robot.api.control import Robot
 from memorymaze.robot.api.steps import SteppingRobot
 
 ROOMS_WITH_ANSWERS = (
-    "cli",
-    "collection",
-    "construction",
-    "datasets",
-    "drawing",
-    "evaluation",
+    "front",
     "gym",
-    "instructions",
-    "library",
-    "metrics",
-    "passers_by",
-    "pictures",
-    "results",
-    "simulation",
-    "sites",
-    "writing",
+    "robot.carla",
+    "robot.simulation",
+    "runs",
+    "testing",
+    "texts",
+    "web",
+    "world",
 )
 """What the process may not load."""
 
@@ -321,16 +314,16 @@ _REACHES_FILES = frozenset({"open", "os.link", "os.rename"})
 
 def _keeper(kept_from: Sequence[str]) -> Callable[[str, tuple[Any, ...]], None]:
     """Return what refuses to load rooms with answers and to read files with them."""
-    data = [str(_PACKAGE / room) for room in ("sites/data", "instructions/data")]
+    data = [str(_PACKAGE / room) for room in ("world/sites/data", "texts/corpus/data")]
     # The parent's memory and open files hold the building.
     parent = f"/proc/{os.getppid()}"
     places = (parent, *map(os.path.realpath, (*data, *kept_from)))
-    rooms = tuple(f"memorymaze.{room}" for room in ROOMS_WITH_ANSWERS)
+    rooms = tuple(f"memorymaze.{room}." for room in ROOMS_WITH_ANSWERS)
 
     def keep(event: str, arguments: tuple[Any, ...]) -> None:
         if event == "import":
             name = str(arguments[0])
-            if name.startswith(rooms) and name.split(".")[1] in ROOMS_WITH_ANSWERS:
+            if f"{name}.".startswith(rooms):
                 raise ImportError(
                     f"{name}: an isolated agent cannot load the rooms that know answers"
                 )

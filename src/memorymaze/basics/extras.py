@@ -8,7 +8,7 @@ from pathlib import Path
 
 from memorymaze.basics.errors import SettingsError
 
-_CHECKOUT = Path(__file__).parents[2]
+_CHECKOUT = Path(__file__).parents[3]
 
 
 def how_to_install(extra: str) -> str:

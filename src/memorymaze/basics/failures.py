@@ -16,7 +16,7 @@ TRACEBACK_LINES = 60
 NOBODYS_PLACES = (
     "<",
     str(Path(importlib.__file__).parent),
-    str(Path(__file__).parent / "evaluation"),
+    str(Path(__file__).parents[1] / "runs"),
     str(Path(__file__).parent / "own_code"),
 )
 """Beginnings of the files in which no agent's fault lies: what imports and calls it."""

@@ -14,6 +14,7 @@ from memorymaze.robot.simulation.settings import SimulationSettings
 from memorymaze.runs.episodes.arena import Arena
 from memorymaze.runs.episodes.budgets import time_budget_for
 from memorymaze.runs.episodes.in_words import agent_version
+from memorymaze.runs.episodes.plan import stamp_site
 from memorymaze.runs.episodes.results import MEASURES, EpisodeResult, measure_walk
 from memorymaze.runs.episodes.settings import (
     RunDefinition,
@@ -104,7 +105,7 @@ def _settings_problems(settings: RunDefinition, corpus: Corpus) -> Iterator[str]
     expected = replace(
         settings,
         instructions=tuple(stamp_file(path) for path in corpus.files),
-        sites=tuple(stamp_file(sites[name].source, name) for name in names),
+        sites=tuple(stamp_site(sites[name]) for name in names),
         limit=None,
         split=None,
         shard=None,

@@ -8,7 +8,7 @@ from memorymaze.front.cli.main import DONE, command_line
 from memorymaze.testing import check_site
 from memorymaze.world.sites import load_site
 
-DATA = Path(__file__).parents[2] / "importing" / "data"
+DATA = Path(__file__).parents[2] / "world" / "importing" / "data"
 
 
 @pytest.fixture

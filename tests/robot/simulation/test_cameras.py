@@ -33,8 +33,9 @@ from memorymaze.world.sites import load_site
 site = load_site("museum_5f")
 robot = SimulatedRobot(build_scene(site), site.find_route("R1").start)
 robot.move_forward(1)
-drawing = "memorymaze.world.looks", "memorymaze.world.cameras", "OpenGL"
-print([each for each in sys.modules if each.startswith(drawing)])
+drawing = "memorymaze.world.looks.", "memorymaze.world.cameras", "OpenGL"
+names = "memorymaze.world.looks.kinds_of_looks"
+print([each for each in sys.modules if each.startswith(drawing) and each != names])
 """
     done = subprocess.run(
         [sys.executable, "-c", program], capture_output=True, text=True, check=True

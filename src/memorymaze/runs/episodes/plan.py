@@ -1,11 +1,12 @@
 """What a run consists of: which agent follows which instructions where, and how."""
 
+import hashlib
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, fields, replace
 
 from memorymaze.agents.agent import Need, asking_of
 from memorymaze.basics.errors import AnswerFileError
-from memorymaze.basics.input_files import stamp_file
+from memorymaze.basics.input_files import FileStamp, stamp_file
 from memorymaze.basics.own_code import own_fingerprint
 from memorymaze.language.models.building import replaying_model
 from memorymaze.language.models.model_settings import ModelSettings
@@ -36,6 +37,7 @@ from memorymaze.texts.corpus import Corpus, load_corpus
 from memorymaze.texts.corpus.records import Episode
 from memorymaze.world.looks import file_of_looks
 from memorymaze.world.sites import Site
+from memorymaze.world.sites.plan import plan_bytes
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,7 +92,7 @@ def plan_run(
     definition = replace(
         definition,
         instructions=tuple(stamp_file(path) for path in corpus.files),
-        sites=tuple(stamp_file(site.source, name) for name, site in sites.items()),
+        sites=tuple(map(stamp_site, sites.values())),
         episodes=len(part),
         told_once=told_once,
         answers=_answers_taken(chosen_agent, ready, chosen),
@@ -101,6 +103,13 @@ def plan_run(
         option_values=chosen_agent.option_values(ready.agent),
     )
     return RunPlan(definition, part, sites, chosen_agent, ready)
+
+
+def stamp_site(site: Site) -> FileStamp:
+    """Return the fingerprint of a building: of its file, or of the plan of a made one."""
+    if site.source:
+        return stamp_file(site.source, site.name)
+    return FileStamp(site.name, hashlib.sha256(plan_bytes(site)).hexdigest())
 
 
 def define_run(

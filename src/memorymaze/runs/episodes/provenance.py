@@ -52,7 +52,7 @@ class CodeStamp:
 @cache
 def code_stamp() -> CodeStamp:
     """Return the stamp of the code that is running."""
-    root = Path(__file__).parents[1]
+    root = Path(__file__).parents[2]
     digest = hashlib.sha256()
     for path in sorted(root.rglob("*")):
         if path.is_file() and "__pycache__" not in path.parts:

@@ -109,7 +109,7 @@ def safe_name(identifier: str) -> str:
 def route_page(place: tuple[str, str]) -> str:
     """Return the page of a route, given site and route, from the root of a report."""
     site, route = place
-    return f"language/plans/{safe_name(site)}/{safe_name(route)}.html"
+    return f"routes/{safe_name(site)}/{safe_name(route)}.html"
 
 
 def error_title(kind: str) -> str:

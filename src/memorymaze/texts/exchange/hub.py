@@ -41,7 +41,7 @@ def write_hub_folder(folder: str | Path) -> list[Path]:
         pyarrow.parquet.write_table(whole.filter(chosen), content)
         contents[f"{study}/{split}.parquet"] = content.getvalue()
     for name in BUILTIN_SITE_NAMES:
-        contents[f"world/sites/{name}.geojson"] = plan_file(name).read_bytes()
+        contents[f"sites/{name}.geojson"] = plan_file(name).read_bytes()
     contents["README.md"] = _card(parts).encode()
     for name, content in contents.items():
         write_file(folder / name, content)

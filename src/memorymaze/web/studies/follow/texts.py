@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from memorymaze.basics.errors import StudyError
 from memorymaze.basics.input_files import stamp_file
 from memorymaze.runs.episodes.bodies import parse_body
-from memorymaze.runs.episodes.plan import define_run
+from memorymaze.runs.episodes.plan import define_run, stamp_site
 from memorymaze.runs.episodes.sampling import sample
 from memorymaze.runs.episodes.settings import AgentSettings, RunDefinition, RunSettings
 from memorymaze.texts.corpus.corpus import episodes
@@ -75,7 +75,7 @@ def texts_to_follow(study: Study) -> TextsToFollow:
     settings = replace(
         settings,
         instructions=tuple(map(stamp_file, files)),
-        sites=(stamp_file(study.site.source, study.site.name),),
+        sites=(stamp_site(study.site),),
         episodes=len(chosen),
     )
     return TextsToFollow({each.id: each for each in chosen}, settings)
