@@ -63,3 +63,15 @@ def test_twelve_of_the_shipped_texts_are_on_all_routes_of_both_studies(
 def test_a_limit_without_meaning_is_refused(limit: int) -> None:
     with pytest.raises(SettingsError, match="at least 1"):
         sample(made_up([3]), limit)
+
+
+@pytest.mark.parametrize("limit", [2, 4, 6, 8])
+def test_a_small_sample_of_the_shipped_texts_is_of_both_studies_and_routes(
+    limit: int, builtin_sites: Mapping[str, Site]
+) -> None:
+    chosen = sample(episodes(load_instructions(), builtin_sites), limit)
+    counts = Counter(part for each in chosen for part in cell(each))
+    assert abs(counts["online"] - counts["onsite"]) <= 1
+    assert min(counts["R1"], counts["R2"]) >= 1
+    if limit >= 6:
+        assert abs(counts["R1"] - counts["R2"]) <= 1

@@ -11,7 +11,8 @@ def sample(episodes: Sequence[Episode], limit: int | None) -> list[Episode]:
 
     The paper's tables have a row per study and route and an unweighted mean over them,
     so a sample has as many episodes in each as any other, as far as they go; where
-    `limit` does not divide evenly, some that lie evenly among the others have one more.
+    `limit` does not divide evenly, those that have one more are as far as can be of all
+    studies, sites and routes.
     Within a route they are spread evenly from first to last. The order stays. No chance
     is involved.
     """
@@ -22,13 +23,29 @@ def sample(episodes: Sequence[Episode], limit: int | None) -> list[Episode]:
     for place, episode in enumerate(episodes):
         told = episode.instruction
         cells.setdefault((told.study, told.site, told.route), []).append(place)
-    counts = _shares([len(cell) for cell in cells.values()], limit)
+    by_turns = _by_turns(list(cells))
+    counts = _shares([len(cells[key]) for key in by_turns], limit)
     chosen = {
-        cell[place]
-        for cell, count in zip(cells.values(), counts, strict=True)
-        for place in _evenly(count, len(cell))
+        cells[key][place]
+        for key, count in zip(by_turns, counts, strict=True)
+        for place in _evenly(count, len(cells[key]))
     }
     return [episode for place, episode in enumerate(episodes) if place in chosen]
+
+
+def _by_turns(keys: list[tuple[str, str, str]]) -> list[tuple[str, str, str]]:
+    """Order cells so that the studies, sites and routes of neighbours take turns.
+
+    Like the colours of a chessboard: first those of which the numbers of study, site and
+    route have an even sum.
+    """
+    ranks = [list(dict.fromkeys(parts)) for parts in zip(*keys, strict=True)]
+    return sorted(
+        keys,
+        key=lambda key: (
+            sum(r.index(part) for r, part in zip(ranks, key, strict=True)) % 2
+        ),
+    )
 
 
 def _shares(sizes: Sequence[int], limit: int) -> list[int]:
@@ -37,7 +54,11 @@ def _shares(sizes: Sequence[int], limit: int) -> list[int]:
     left = min(limit, sum(sizes))
     while left:
         hungry = [index for index, size in enumerate(sizes) if shares[index] < size]
-        for place in _evenly(min(left, len(hungry)), len(hungry)):
+        half = (len(hungry) + 1) // 2
+        first = _evenly(min(left, half), half)
+        more = min(left, len(hungry)) - len(first)
+        rest = _evenly(more, len(hungry) - half) if more else []
+        for place in [*first, *(half + each for each in rest)]:
             shares[hungry[place]] += 1
             left -= 1
     return shares

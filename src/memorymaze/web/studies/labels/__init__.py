@@ -1,4 +1,4 @@
 """Labels that people give descriptions on the plan: what is marked, by whom, what is settled.
 
-Does not hold labels of finished texts (`collection`).
+Does not hold labels of finished texts (`texts.labels`).
 """
