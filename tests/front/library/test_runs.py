@@ -95,6 +95,22 @@ def test_runs_show_themselves_as_table_frame_and_figure(
     assert len(comparison.plot().get_axes()) >= 1
 
 
+class Fails:
+    """An agent that cannot go on."""
+
+    name = "fails"
+
+    def follow(self, *given: object) -> None:
+        raise RuntimeError("lost my notes")
+
+
+def test_a_run_shows_how_many_of_its_episodes_failed(
+    corpus: mm.Corpus, tmp_path: Path
+) -> None:
+    run = mm.evaluate(Fails(), corpus, limit=2, out=tmp_path / "run", workers=1)
+    assert "2 episodes, success 0.00, 2 crash)" in repr(run)
+
+
 def test_comparing_takes_two_runs_that_are_there(tmp_path: Path) -> None:
     with pytest.raises(SettingsError, match="expected two runs or more, got 1"):
         mm.compare(tmp_path)

@@ -1,5 +1,6 @@
 """Runs of agents over corpora, read back, shown and compared."""
 
+from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass
 from datetime import datetime
@@ -68,9 +69,11 @@ class Run(MeasuredRun):
         """Say who followed how much, and how well."""
         rate = sum(each.success for each in self.results) / len(self.results)
         missing = f", {self.missing} to come" if self.missing else ""
+        ends = Counter(each.stopped_by for each in self.results if each.error)
+        failed = "".join(f", {count} {end}" for end, count in ends.items())
         return (
             f"Run({str(self.folder)!r}: {self.label}, {len(self)} episodes"
-            f"{missing}, success {rate:.2f})"
+            f"{missing}, success {rate:.2f}{failed})"
         )
 
 
