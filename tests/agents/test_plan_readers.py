@@ -87,6 +87,7 @@ def test_two_replies_without_a_plan_are_the_models_failure(reply: str) -> None:
         ModelReader(ScriptedLanguageModel([reply, reply])).read(TEXT, Journal())
 
 
+@pytest.mark.proof
 def test_the_guide_walks_the_plans_in_a_file_of_answers(
     tmp_path: Path, tiny_instructions: Path, tiny_files: list[str]
 ) -> None:

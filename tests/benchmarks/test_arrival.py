@@ -45,6 +45,7 @@ def test_what_there_is_twice_is_no_destination(builtin_sites: dict[str, Site]) -
     assert len(set(words)) == len(words)
 
 
+@pytest.mark.proof
 @pytest.mark.parametrize("name", ["oracle", "guide"])
 def test_a_perfect_plan_leads_to_its_destination(
     name: str, loop_site: Site, box_case: ArrivalCase, tmp_path: Path

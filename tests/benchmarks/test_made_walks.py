@@ -14,6 +14,7 @@ def _ran(
     return bench.main()  # type: ignore[attr-defined]
 
 
+@pytest.mark.proof
 def test_success_on_made_floors_is_told_by_kind_of_building(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -23,6 +24,7 @@ def test_success_on_made_floors_is_told_by_kind_of_building(
     assert "made-up speakers (exact)" in told
 
 
+@pytest.mark.proof
 def test_the_same_floors_are_told_by_all_speakers(tmp_path: Path) -> None:
     def ways(speakers: str) -> list[made_walks.ToldWay]:
         floors = {"office": [made_walks.FIRST_SEED]}

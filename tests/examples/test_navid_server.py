@@ -59,6 +59,7 @@ def results(run: Path) -> list[dict[str, Any]]:
     return [{**each, "wall_s": None} for each in read]
 
 
+@pytest.mark.proof
 def test_the_checkpoint_is_asked_recorded_and_replayed_like_any_model(
     serve: Callable[[StandIn], str],
     tiny_sites_folder: Path,

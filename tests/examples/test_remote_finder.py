@@ -186,6 +186,7 @@ def test_it_keeps_the_contract_of_finders():
         check_object_finder(client(url), RGB)
 
 
+@pytest.mark.proof
 def test_the_reference_server_gives_what_the_model_finds(grounding_dino: Path):
     local = ZeroShotFinder(str(grounding_dino), box_threshold=0.1)
     listening = server.make_server(("127.0.0.1", 0), local.with_thresholds)

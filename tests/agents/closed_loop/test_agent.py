@@ -261,6 +261,7 @@ def arrives(site: Site, route: Route, plan: RoutePlan, stand_in: StandIn) -> boo
     return run.result.success and run.result.claims_arrival
 
 
+@pytest.mark.proof
 @pytest.mark.parametrize("name", BUILTIN_SITE_NAMES)
 def test_the_log_suffices_to_follow_each_route_of_the_benchmark(
     builtin_sites: dict[str, Site], believes: StandIn, name: str

@@ -114,6 +114,7 @@ def record_replies(path: Path, instructions: Path, *, parser: bool) -> None:
         model.complete(requests.program(way))
 
 
+@pytest.mark.proof
 @pytest.mark.parametrize("parser", [True, False], ids=["parser", "no parser"])
 def test_the_way_through_files_gives_the_tables_of_the_way_with_a_model(
     memorymaze: Memorymaze, tiny_files: list[str], tmp_path: Path, parser: bool

@@ -9,6 +9,7 @@ import pytest
 Memorymaze = Callable[..., Any]
 
 
+@pytest.mark.proof
 def test_an_agent_runs_on_what_was_made_as_it_is(
     memorymaze: Memorymaze, tmp_path: Path
 ) -> None:

@@ -102,6 +102,7 @@ def server() -> Generator[str]:
         thread.join()
 
 
+@pytest.mark.proof
 def test_a_paid_run_is_estimated_ends_at_its_limit_and_goes_on(
     memorymaze: Memorymaze, tiny_files: list[str], tmp_path: Path, server: str
 ) -> None:

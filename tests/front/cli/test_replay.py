@@ -33,13 +33,13 @@ def run_folder(tmp_path_factory: pytest.TempPathFactory, tiny_files: list[str]) 
 @pytest.fixture
 def given(run_folder: Path, tmp_path: Path) -> list[str | Path]:
     """Run and episode; nothing else is in the folder that commands run in."""
-    return [shutil.copytree(run_folder, tmp_path / "runs" / "one"), "p4-2"]
+    return [shutil.copytree(run_folder, tmp_path / "runs" / "one"), "p3-2"]
 
 
 def test_a_video_is_kept_in_its_run(
     memorymaze: Memorymaze, given: list[str | Path]
 ) -> None:
-    video = Path(given[0], "replays", "p4-2.mp4")
+    video = Path(given[0], "replays", "p3-2.mp4")
     said = memorymaze("replay", *given, *SMALL)
     assert said.code == 0, said.err
     assert said.out.startswith(f"{video}: ")
@@ -58,8 +58,8 @@ def test_a_recording_is_written_instead_of_the_video(
     assert {each.name for each in tmp_path.iterdir()} == {"runs", "walk.rrd"}
     said = memorymaze("replay", *given, *SMALL, "--rerun")
     kept = Path(given[0], "replays")
-    assert (said.code, said.out) == (0, f"{kept / 'p4-2.rrd'}\n"), said.err
-    assert [each.name for each in kept.iterdir()] == ["p4-2.rrd"]
+    assert (said.code, said.out) == (0, f"{kept / 'p3-2.rrd'}\n"), said.err
+    assert [each.name for each in kept.iterdir()] == ["p3-2.rrd"]
 
 
 @pytest.mark.parametrize(
@@ -98,9 +98,9 @@ def test_a_wrong_episode_is_wrong_usage(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    done = memorymaze("replay", run_folder, "p4-3")
+    done = memorymaze("replay", run_folder, "p3-3")
     assert done.code == 2
-    assert "did you mean 'p4-2'?" in done.err
+    assert "did you mean 'p3-2'?" in done.err
 
 
 def test_a_place_that_takes_no_file_is_named_at_once(

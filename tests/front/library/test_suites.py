@@ -157,6 +157,7 @@ def test_every_shipped_suite_has_agents_with_such_options(path: Path) -> None:
     assert all(answers.is_file() for answers in asked)
 
 
+@pytest.mark.proof
 def test_texts_are_those_that_a_file_answers_and_only_who_asks_is_given_a_model(
     tmp_path: Path,
 ) -> None:

@@ -115,6 +115,7 @@ def test_its_scan_is_the_one_that_our_own_lidar_takes_there(
     assert seen.ranges == pytest.approx(ours.ranges, abs=0.01)
 
 
+@pytest.mark.proof
 def test_its_pictures_are_those_of_our_own_camera_there(
     put_body: MakeBody, server: StandInServer
 ) -> None:
@@ -203,6 +204,7 @@ def test_its_wheels_tell_of_a_frame_that_begins_where_it_did_and_err_as_asked(
     assert math.dist(body.pose_in_site()[:2], EAST[:2]) == pytest.approx(0.5, abs=1e-4)
 
 
+@pytest.mark.proof
 def test_the_noise_of_its_wheels_is_the_same_for_the_same_seed(
     put_body: MakeBody,
 ) -> None:
@@ -215,6 +217,7 @@ def test_the_noise_of_its_wheels_is_the_same_for_the_same_seed(
     assert ends[0] == ends[1] != ends[2]
 
 
+@pytest.mark.proof
 def test_a_walkers_sensors_are_as_high_as_a_suitcases(
     put_body: MakeBody, server: StandInServer
 ) -> None:

@@ -32,6 +32,7 @@ def on_carla(plan: RunPlan, factory: str = "factory") -> RunPlan:
     return replace(plan, settings=replace(plan.settings, robot=settings.robot))
 
 
+@pytest.mark.proof
 @pytest.mark.parametrize("agent", ["oracle", "guide"])
 def test_episodes_end_in_carla_as_they_do_in_the_simulation(
     agent: str, tiny_plan: Callable[..., RunPlan], tmp_path: Path

@@ -37,6 +37,7 @@ def test_while_it_is_open_the_server_waits_for_ticks_of_50_ms_in_five_steps(
     assert settings.max_substep_delta_time * settings.max_substeps >= 0.05
 
 
+@pytest.mark.proof
 def test_all_is_gone_when_it_is_closed_once_or_twice(
     put_body: MakeBody, server: StandInServer
 ) -> None:
@@ -157,6 +158,7 @@ def test_where_no_server_is_the_client_of_carla_says_so_in_time(l_site: Site) ->
         assert words in str(told.value)
 
 
+@pytest.mark.proof
 def test_pedestrians_walk_about_and_are_the_same_for_the_same_seed(
     put_body: MakeBody, server: StandInServer
 ) -> None:

@@ -74,6 +74,7 @@ def test_without_physics_the_oracle_walks_the_same(tiny_corpus: Corpus) -> None:
         assert kinematic.result.collisions == 0
 
 
+@pytest.mark.proof
 def test_without_physics_the_guide_decides_the_same(tiny_corpus: Corpus) -> None:
     alike = 0
     for physics, kinematic in both("guide", tiny_corpus):
@@ -85,6 +86,7 @@ def test_without_physics_the_guide_decides_the_same(tiny_corpus: Corpus) -> None
     assert alike >= 10
 
 
+@pytest.mark.proof
 def test_the_same_seed_gives_the_same_kinematic_walk(
     tiny_plan: Callable[..., RunPlan],
 ) -> None:

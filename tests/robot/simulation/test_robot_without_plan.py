@@ -113,6 +113,7 @@ def test_it_faces_a_wall_and_finds_back_to_its_way(scenes: Scenes) -> None:
     assert robot.pose[:2] == pytest.approx((13, 0), abs=0.25)
 
 
+@pytest.mark.proof
 def test_people_who_walk_about_are_not_run_into(corridor_site: Site) -> None:
     scene = build_scene(corridor_site, parse_obstacles("things=2,people=3"))
     robot = put(scene, 2, 0)

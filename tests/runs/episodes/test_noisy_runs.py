@@ -32,6 +32,7 @@ def walk(tiny_sites_folder: Path) -> Callable[..., Any]:
     return poses
 
 
+@pytest.mark.proof
 def test_a_noisy_walk_by_lidar_is_repeated_by_its_seed_and_unlike_an_exact_one(
     walk: Callable[..., Any],
 ) -> None:

@@ -29,6 +29,7 @@ def likeness(one: np.ndarray, other: np.ndarray) -> float:
     return float(np.corrcoef(one.ravel(), other.ravel())[0, 1])
 
 
+@pytest.mark.proof
 def test_a_film_shows_the_way_from_its_start_to_its_goal(
     scenes: dict[str, Scene], tmp_path: Path
 ) -> None:
@@ -45,6 +46,7 @@ def test_a_film_shows_the_way_from_its_start_to_its_goal(
     assert likeness(frames[-1], last) > 0.98
 
 
+@pytest.mark.proof
 def test_the_same_settings_give_the_same_film_with_a_bar_on_stderr_if_asked_for(
     scenes: dict[str, Scene], tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -135,6 +137,7 @@ def colours(planes: np.ndarray) -> np.ndarray:
     return frame.to_ndarray()
 
 
+@pytest.mark.proof
 def test_a_film_that_is_broken_off_leaves_the_old_one_alone(
     scenes: dict[str, Scene], tmp_path: Path
 ) -> None:

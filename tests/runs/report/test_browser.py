@@ -35,6 +35,7 @@ def test_pages_pass_the_accessibility_checks_of_axe(
         assert complaints(page) == []
 
 
+@pytest.mark.proof
 def test_a_narrow_window_needs_no_sideways_scrolling(
     report: Path, opened: Opened
 ) -> None:

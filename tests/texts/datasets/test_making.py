@@ -95,6 +95,7 @@ def test_the_statistics_count_what_is_in_the_files(made: Path) -> None:
     assert int(rows["all"]["buildings"]) == 3
 
 
+@pytest.mark.proof
 def test_the_page_says_who_made_it_and_with_which_command(made: Path) -> None:
     page = (made / "README.md").read_text(encoding="utf-8")
     assert "not by people" in page
@@ -149,6 +150,7 @@ def test_a_folder_with_something_else_is_left_alone(tmp_path: Path) -> None:
     assert [path.name for path in tmp_path.iterdir()] == ["mine.txt"]
 
 
+@pytest.mark.proof
 def test_a_dataset_is_replaced_only_when_asked_for_and_another_seed_makes_others(
     made: Path, tmp_path: Path
 ) -> None:

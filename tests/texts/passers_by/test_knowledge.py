@@ -37,6 +37,7 @@ def test_the_way_begins_where_one_stands_and_as_one_faces(
     assert way.facts.follow(way.facts.plan).arrived
 
 
+@pytest.mark.proof
 def test_a_way_can_be_told_from_anywhere_on_the_shipped_floors(
     knowing: Knowing, builtin_sites: dict[str, Site]
 ) -> None:

@@ -172,6 +172,7 @@ def canonical_plans(draw: Callable[..., object]) -> RoutePlan:
     )
 
 
+@pytest.mark.proof
 @settings(max_examples=150, deadline=None)
 @given(canonical_plans())
 def test_a_canonical_plan_told_plainly_is_read_back_whole(plan: RoutePlan) -> None:

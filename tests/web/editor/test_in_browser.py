@@ -112,6 +112,7 @@ def feature(path: Path, identity: str) -> dict[str, Any]:
     return next(each for each in features if each["id"] == identity)
 
 
+@pytest.mark.proof
 def test_a_bench_is_moved_by_the_keyboard_alone_and_saved(
     annex: Path, edit: EditPlan, draughtsman: Draughtsman, complaints: Complaints
 ) -> None:

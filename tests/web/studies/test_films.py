@@ -46,6 +46,7 @@ def overview(addresses: Addresses) -> str:
     return answer.text
 
 
+@pytest.mark.proof
 def test_videos_are_made_once_and_kept_beside_the_study(
     make_study: MakeStudy, capsys: pytest.CaptureFixture[str]
 ) -> None:

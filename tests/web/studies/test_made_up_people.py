@@ -36,6 +36,7 @@ def test_participants_fill_a_study_and_all_they_tell_is_exported(
     assert len({each.text for each in made}) > len(made) / 2
 
 
+@pytest.mark.proof
 def test_walks_are_exported_as_a_run_of_people(
     make_study: MakeStudy, tiny_instructions: Path, tmp_path: Path
 ) -> None:
@@ -51,6 +52,7 @@ def test_walks_are_exported_as_a_run_of_people(
     assert all(each.path_length > 1 for each in results)
 
 
+@pytest.mark.proof
 def test_made_up_interviews_are_recorded_or_typed_and_labelled(
     make_study: MakeStudy, tmp_path: Path
 ) -> None:

@@ -157,6 +157,7 @@ def test_a_video_is_there_for_who_describes_its_way_and_for_nobody_else(
     assert served.browse().client.get(f"/film/{first}").status_code == 404
 
 
+@pytest.mark.proof
 def test_from_memory_the_video_is_gone_while_one_describes(
     make_study: MakeStudy, serve_study: ServeStudy
 ) -> None:

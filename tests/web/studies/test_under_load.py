@@ -158,6 +158,7 @@ def test_kill_minus_nine_loses_no_answer_that_was_confirmed(
     print(f"{KILLS} kills, {answers} confirmed answers of {len(confirmed)}, none lost")
 
 
+@pytest.mark.proof
 def test_a_served_study_keeps_another_server_out(
     make_study: MakeStudy,
 ) -> None:

@@ -39,6 +39,7 @@ def page(browser: Browser) -> Generator[Page]:
     opened.close()
 
 
+@pytest.mark.proof
 def test_a_visitor_tells_a_way_with_the_keyboard_and_sees_where_it_was_lost(
     address: str, page: Page, complaints: Callable[[Page], list[str]]
 ) -> None:
@@ -77,6 +78,7 @@ def test_a_visitor_tells_a_way_with_the_keyboard_and_sees_where_it_was_lost(
     assert not problems
 
 
+@pytest.mark.proof
 def test_a_visitor_pauses_and_stops_and_leaves(
     visits: Visits, address: str, page: Page
 ) -> None:

@@ -82,6 +82,7 @@ def overs(visit: PageVisit) -> list[dict[str, Any]]:
     return [news["over"] for news in visit.news if "over" in news]
 
 
+@pytest.mark.proof
 def test_a_robot_looks_round_where_it_starts(visit: PageVisit) -> None:
     strip = Image.open(io.BytesIO(visit.pictures["round"]))
     assert strip.width > 4 * strip.height
@@ -115,6 +116,7 @@ def test_a_robot_follows_a_text_and_tells_all_of_it(
     assert len(again["news"]) < known
 
 
+@pytest.mark.proof
 def test_a_text_told_before_the_robot_is_ready_is_followed_then(
     visits: Visits, visit: PageVisit
 ) -> None:
@@ -125,6 +127,7 @@ def test_a_text_told_before_the_robot_is_ready_is_followed_then(
     assert visit.text == TEXT
 
 
+@pytest.mark.proof
 def test_a_paused_robot_stands_and_goes_on(visits: Visits, visit: PageVisit) -> None:
     visits.change_pace(visit, 1.0, paused=False)
     visits.set_out(visit, TEXT)
@@ -153,6 +156,7 @@ def test_a_stopped_walk_is_over_at_once_and_its_text_is_kept(
     assert (visit.state, visit.news, visit.text) == ("opening", [], TEXT)
 
 
+@pytest.mark.proof
 def test_a_closed_page_ends_its_walk_and_frees_the_robot(
     visits: Visits, visit: PageVisit, clock: Clock, t_site: Site
 ) -> None:

@@ -54,6 +54,7 @@ def test_a_tiny_site_is_read_as_it_is(
     assert complaints(judge(tiny_sites[name], lanes)) == []
 
 
+@pytest.mark.proof
 @pytest.mark.parametrize("name", BUILTIN_SITE_NAMES)
 def test_a_shipped_floor_is_read_as_it_is(name: str):
     verdict = judge(load_site(name))
@@ -61,6 +62,7 @@ def test_a_shipped_floor_is_read_as_it_is(name: str):
     assert verdict.ways > 100
 
 
+@pytest.mark.proof
 @pytest.mark.parametrize("kind", ["mall", "museum", "airport"])
 def test_a_made_floor_is_read_as_it_is(kind: str):
     assert complaints(judge(make_building(kind, 1))) == []
@@ -168,6 +170,7 @@ def test_halls_are_beside_the_ways_of_vehicles(two_rooms: Site):
     assert {lane.kind for lane in on_foot.lanes} == {"Sidewalk"}
 
 
+@pytest.mark.proof
 def test_no_road_and_no_junction_have_the_same_id(builtin_sites: dict[str, Site]):
     for site in builtin_sites.values():
         root = ElementTree.fromstring(opendrive(site))

@@ -27,6 +27,7 @@ def test_a_route_turns_where_middle_lines_meet(l_site, routed):
     assert list(route.line.coords[:2]) == [(1.0, 0.0), (11.0, 0.0)]
 
 
+@pytest.mark.proof
 def test_a_route_goes_to_things_in_the_open(builtin_sites, routed):
     route = routed(builtin_sites["museum_7f"], "d_men", "lm_piano")
     assert route.goal_landmark == "lm_piano"
