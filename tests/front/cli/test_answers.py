@@ -220,6 +220,24 @@ def test_a_file_with_problems_is_told_line_by_line(
     assert not (tmp_path / "run").exists()
 
 
+def test_a_check_of_programs_that_will_crash_fails(
+    memorymaze: Memorymaze,
+    tiny_files: list[str],
+    tiny_instructions: Path,
+    tmp_path: Path,
+) -> None:
+    programs = tmp_path / "programs.jsonl"
+    broken = {"stage": "program", "reply": "turn('left'"}
+    lines = [
+        json.dumps({"instruction_id": json.loads(line)["id"], **broken})
+        for line in tiny_instructions.read_text(encoding="utf-8").splitlines()
+    ]
+    programs.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    said = memorymaze("answers", "check", programs, *tiny_files)
+    assert said.code == 1
+    assert "12 will crash" in said.out
+
+
 def test_answers_to_single_tellings_are_not_taken_for_both(
     memorymaze: Memorymaze, tiny_files: list[str], tmp_path: Path
 ) -> None:
