@@ -16,6 +16,7 @@ from typing import Any, NamedTuple
 
 import pytest
 
+import memorymaze
 from memorymaze.basics.errors import SettingsError
 from memorymaze.language.models.answer_files import AnswerFile
 from memorymaze.language.models.model_settings import ModelSettings
@@ -72,7 +73,7 @@ FOREIGN_CODE = """
 import sys
 from dataclasses import replace
 from memorymaze.front.cli.main import run_command_line
-from memorymaze.runs.episodes import ray_workers
+from memorymaze.runs.work import ray_workers
 
 stamp = ray_workers.code_stamp()
 ray_workers.code_stamp = lambda: replace(stamp, sha256="0" * 64)
@@ -225,7 +226,8 @@ def test_workers_with_other_code_are_refused(
     run = evaluating(cluster, "stop", tiny_files, tmp_path / "run", code=FOREIGN_CODE)
     _, err = run.communicate()
     assert run.returncode == 2
-    assert "has other code than this machine:\n  memorymaze's code: 0.1.0" in err
+    said = f"has other code than this machine:\n  memorymaze's code: {memorymaze.__version__}"
+    assert said in err
     assert "files 000000000000 here" in err
     assert "Traceback" not in err
 
