@@ -269,7 +269,7 @@ class TravellingWorker:
 
     worker: EpisodeWorker
     files: dict[str, bytes]
-    """Contents by place: `agent/…`, `robot/api/…`, `detector/…`, `looks/…`, `replay/…`,
+    """Contents by place: `agent/…`, `robot/…`, `detector/…`, `looks/…`, `replay/…`,
     `record/…`."""
 
     def __call__(self) -> Callable[[EpisodeTask], tuple[EpisodeOutcome, bytes]]:

@@ -13,7 +13,7 @@ from memorymaze.world.sites.loading import BUILTIN_SITE_NAMES, plan_file
 
 
 def write_hub_folder(folder: str | Path) -> list[Path]:
-    """Write `STUDY/SPLIT.parquet`, the plans in `world/sites/`, and the card, `README.md`.
+    """Write `STUDY/SPLIT.parquet`, the plans in `sites/`, and the card, `README.md`.
 
     A study is a configuration of the dataset. Columns are the fields of an instruction.
 
