@@ -48,9 +48,9 @@ def test_the_examples_are_in_the_format_they_ask_for():
 
 @pytest.mark.parametrize("number", range(4))
 def test_each_example_program_runs_and_stops_by_itself(
-    number: int, make_robot: Callable
+    number: int, make_paper_robot: Callable
 ):
-    robot = make_robot(call_budget=2000)
+    robot = make_paper_robot(call_budget=2000)
     doubts: list[dict[str, object]] = []
 
     with pytest.raises(EpisodeOver) as over:
@@ -100,8 +100,8 @@ def test_the_prompt_names_the_python_that_there_is():
 
 
 @pytest.mark.parametrize("program", RUNS.values(), ids=RUNS)
-def test_python_that_the_prompt_names_runs(program: str, make_robot: Callable):
-    robot = make_robot()
+def test_python_that_the_prompt_names_runs(program: str, make_paper_robot: Callable):
+    robot = make_paper_robot()
     run_program(f"{program}\nsay(str(answer))", robot)
     assert robot.calls == [("say", "1")]
 
@@ -110,10 +110,10 @@ def test_python_that_the_prompt_names_runs(program: str, make_robot: Callable):
     "program", [*(pytest.param(FAILS[name], id=name) for name in FAILS), *FAILS_UNNAMED]
 )
 def test_python_that_the_prompt_says_is_missing_fails(
-    program: str, make_robot: Callable
+    program: str, make_paper_robot: Callable
 ):
     with pytest.raises(ProgramError):
-        run_program(program, make_robot())
+        run_program(program, make_paper_robot())
 
 
 @pytest.mark.parametrize(
@@ -139,8 +139,10 @@ def test_times_and_paces_are_as_long_as_the_project_reads_them(prompt: str, told
 
 
 @pytest.mark.parametrize("number", range(4))
-def test_no_example_drives_away_before_it_has_looked(number: int, make_robot: Callable):
-    robot = make_robot(call_budget=2000)
+def test_no_example_drives_away_before_it_has_looked(
+    number: int, make_paper_robot: Callable
+):
+    robot = make_paper_robot(call_budget=2000)
     with pytest.raises(EpisodeOver):
         run_program(programs()[number], robot)
     moved = robot.names.index("move_forward")

@@ -23,10 +23,10 @@ from memorymaze.world.exporting.named_meshes import (
     plan_members,
 )
 from memorymaze.world.looks.assembly import MeshPart
+from memorymaze.world.looks.glb import BINARY_CHUNK, HEADER, JSON_CHUNK, MAGIC, VERSION
 from memorymaze.world.looks.materials import Rgb
 from memorymaze.world.sites.records import Site
 
-MAGIC, VERSION, JSON_CHUNK, BINARY_CHUNK = 0x46546C67, 2, 0x4E4F534A, 0x004E4942
 COMPONENTS = {"float32": 5126, "uint32": 5125}
 SHAPES = {1: "SCALAR", 2: "VEC2", 3: "VEC3"}
 ARRAY_BUFFER, ELEMENT_ARRAY_BUFFER = 34962, 34963
@@ -128,7 +128,7 @@ class Glb:
         binary = bytes(self._binary) + b"\0" * (-len(self._binary) % 4)
         length = 12 + 8 + len(text) + 8 + len(binary)
         return b"".join((
-            struct.pack("<III", MAGIC, VERSION, length),
+            HEADER.pack(MAGIC, VERSION, length),
             struct.pack("<II", len(text), JSON_CHUNK),
             text,
             struct.pack("<II", len(binary), BINARY_CHUNK),

@@ -7,7 +7,7 @@ import io
 import json
 import struct
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -21,7 +21,7 @@ from memorymaze.basics.input_files import read_file
 from memorymaze.world.looks.materials import Material, srgb
 
 HEADER = struct.Struct("<III")
-MAGIC, JSON_CHUNK, BINARY_CHUNK = 0x46546C67, 0x4E4F534A, 0x004E4942
+MAGIC, VERSION, JSON_CHUNK, BINARY_CHUNK = 0x46546C67, 2, 0x4E4F534A, 0x004E4942
 COMPONENTS = {
     5120: "i1",
     5121: "u1",
@@ -65,14 +65,7 @@ class GlbPrimitive:
 
     def moved(self, shift: FloatArray) -> "GlbPrimitive":
         """Return it somewhere else."""
-        return GlbPrimitive(
-            self.vertices + shift,
-            self.faces,
-            self.normals,
-            self.uv,
-            self.targets,
-            self.material,
-        )
+        return replace(self, vertices=self.vertices + shift)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -113,7 +106,7 @@ def read_glb(path: Path) -> tuple[GlbNode, ...]:
 
 def _chunks(path: Path, content: bytes) -> Iterator[tuple[int, bytes]]:
     magic, version, _ = HEADER.unpack(content[:12].ljust(12, b"\0"))
-    if magic != MAGIC or version != 2:
+    if magic != MAGIC or version != VERSION:
         raise SettingsError(
             f"{path}: expected a GLB file (glTF 2.0, binary), got another format; in "
             "Blender: File, Export, glTF 2.0, format glTF Binary (.glb)"
