@@ -269,7 +269,7 @@ def test_all_that_is_believed_is_in_ways_not_walked_and_in_places_to_arrive_at()
     grid = _hall(3)
     belief = _believe("Turn left and walk to the end.", grid)
     done = [each for each in belief.visits if each.stretch is None]
-    weights = [*(w for f in belief.frontiers.values() for _, w in f.alignments)]
+    weights = [*(w for f in belief.frontiers.values() for _, w, _ in f.alignments)]
     weights += [visit.segment.weights for visit in done]
     assert all(np.isfinite(each).all() and (each >= 0).all() for each in weights)
     assert sum(f.mass for f in belief.frontiers.values()) > 0
@@ -301,7 +301,7 @@ def _most_elsewhere(belief: Belief) -> float:
 def test_that_nothing_told_is_right_is_always_possible() -> None:
     belief = _believe("Take the second left.", _hall(2))
     for frontier in belief.frontiers.values():
-        [lost] = [each for each, _ in frontier.alignments if each.lost]
+        [lost] = [each for each, _, _ in frontier.alignments if each.lost]
         assert 0 < lost.weights.sum() <= frontier.mass
 
 

@@ -3,6 +3,8 @@
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
+import numpy as np
+
 from memorymaze.agents.guide.likelihoods import Weights
 from memorymaze.agents.walking.floor_map import Point, Stretch
 
@@ -72,26 +74,39 @@ class Segment(NamedTuple):
         return len(self.line) - 1
 
 
+def mass_of(weights: Weights) -> float:
+    """Sum over all speakers; asked too often for the detour that `weights.sum()` takes."""
+    return float(np.add.reduce(weights, axis=None))
+
+
+class Leading(NamedTuple):
+    """An alignment that leads into a way, with what its present leg has still to expect."""
+
+    segment: Segment
+    weights: Weights
+    mass: float
+
+
 @dataclass
 class Frontier:
     """A way out that was not walked yet, and all alignments that lead into it."""
 
     at: int
     exit: int
-    alignments: list[tuple[Segment, Weights]] = field(
-        default_factory=list[tuple[Segment, Weights]]
-    )
-    """Each with its weights, and what its present leg has still to expect in them."""
+    alignments: list[Leading] = field(default_factory=list[Leading])
+    mass: float = 0.0
+    """How much of the belief goes that way, unnormalised."""
 
-    @property
-    def mass(self) -> float:
-        """How much of the belief goes that way, unnormalised."""
-        return float(sum(weights.sum() for _, weights in self.alignments))
+    def add(self, segment: Segment, weights: Weights) -> None:
+        """Let an alignment lead into the way."""
+        mass = mass_of(weights)
+        self.alignments.append(Leading(segment, weights, mass))
+        self.mass += mass
 
     @property
     def best(self) -> Segment:
         """The heaviest alignment."""
-        return max(self.alignments, key=lambda each: each[1].sum())[0]
+        return max(self.alignments, key=lambda each: each.mass).segment
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,10 +4,11 @@ import math
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
-from memorymaze.agents.guide.alignments import Frontier, Segment, Visit
+from memorymaze.agents.guide.alignments import Frontier, Segment, Visit, mass_of
 from memorymaze.agents.guide.belief import Belief
 from memorymaze.agents.guide.likelihoods import (
     MOST_SEEN,
@@ -77,7 +78,7 @@ _NUMBER = re.compile(r"\d")
 _SIGN = re.compile(r"\b(sign|board|signboard|poster|screen)\b")
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Ending:
     """A place to arrive at, with all alignments that end there."""
 
@@ -94,10 +95,10 @@ class Ending:
     """What was seen there; None when nothing was."""
     reason: str
 
-    @property
+    @cached_property
     def mass(self) -> float:
         """How much of the belief ends there, unnormalised."""
-        return float(self.weights.sum())
+        return mass_of(self.weights)
 
 
 class Arrivals:
@@ -205,7 +206,7 @@ class Arrivals:
                     crossing.place[0] + along * math.cos(heading),
                     crossing.place[1] + along * math.sin(heading),
                 )
-                for segment, _ in frontier.alignments:
+                for segment, _, _ in frontier.alignments:
                     if segment.leg == self._legs:
                         yield Ending(
                             frontier.at,

@@ -19,6 +19,7 @@ from memorymaze.agents.guide.alignments import (
     Segment,
     Slip,
     Visit,
+    mass_of,
 )
 from memorymaze.agents.guide.likelihoods import (
     Likelihoods,
@@ -176,16 +177,16 @@ class Belief:
     def _reach(self, segment: Segment, exit: int, weights: Weights) -> None:
         """Let an alignment lead into a way that was not walked yet."""
         key = segment.at, exit
-        frontier = self.frontiers.setdefault(key, Frontier(*key))
-        frontier.alignments.append((segment, weights))
+        self.frontiers.setdefault(key, Frontier(*key)).add(segment, weights)
 
     # -- one alignment
 
     def _leave(self, segment: Segment, exit: int) -> None:
         """Follow a way out as far as the map goes."""
-        if self._is_light(segment.weights):
+        mass = mass_of(segment.weights)
+        if mass < self._least * self._heaviest:
             return
-        self._heaviest = max(self._heaviest, _mass(segment.weights))
+        self._heaviest = max(self._heaviest, mass)
         stretch = self.floor.stretches.get((segment.at, exit))
         if stretch is None:
             if exit not in self.floor.crossings[segment.at].closed:
@@ -298,7 +299,7 @@ class Belief:
         lead = 0.0
         last = min(segment.leg + LEGS_LEFT_OUT + 1, len(self.plan.legs))
         for number in range(segment.leg, last):
-            if self._is_light(weights):
+            if number > segment.leg and self._is_light(weights):
                 return
             leg = self.plan.legs[number]
             here = self._said.at_place(segment, number, weights, lead, choices)
@@ -381,14 +382,17 @@ class Belief:
             )
             self._add(done, index)
             following = self._said.leg_of(done)
-            if anew and following is not None and following.on_the_spot:
+            at_once = anew and following is not None and following.on_the_spot
+            if at_once and not self._is_light(done.weights):
                 self._turn(done, self._choices(segment.at, done.heading))
 
     def _hint(self, at: int, exit: int, ways: int) -> float:
         """Weigh a way out against the signs that point to the destination there."""
         ratio = 1.0
+        if at not in self.pointers:
+            return ratio
         right = self.model.sign_right
-        for heading in self.pointers.get(at, ()):
+        for heading in self.pointers[at]:
             out = self.floor.crossings[at].exits[exit]
             if abs(wrap_angle(out - heading)) <= POINTED_AT:
                 ratio *= max(ways, 2) * right
@@ -402,7 +406,7 @@ class Belief:
             level.setdefault((segment.at, exit), []).append(segment)
 
     def _is_light(self, weights: Weights) -> bool:
-        return _mass(weights) < self._least * self._heaviest
+        return mass_of(weights) < self._least * self._heaviest
 
     def _choices(self, at: int, heading: float) -> Choices:
         """Return the ways out of a crossing; there are few headings to come in by."""
@@ -420,17 +424,12 @@ class Belief:
                 yield index, wrap_angle(heading - segment.heading)
 
 
-def _mass(weights: Weights) -> float:
-    # Asked more often than anything else: `weights.sum()` without its detour.
-    return np.add.reduce(weights, axis=None)
-
-
 def _summed(segments: list[Segment]) -> list[Segment]:
     """Sum the alignments of a way out that differ in nothing but how they came there."""
     begun = [each for each in segments if not each.walked]
     others = [each for each in segments if each.walked]
     if len(begun) < 2:
         return segments
-    heaviest = max(begun, key=lambda each: each.weights.sum())
+    heaviest = max(begun, key=lambda each: mass_of(each.weights))
     weights = np.sum([each.weights for each in begun], axis=0)
     return [heaviest._replace(weights=weights), *others]

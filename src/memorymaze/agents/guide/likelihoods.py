@@ -148,9 +148,7 @@ def _speakers(factor_sd: float, one_side: float, careful: float) -> Weights:
     rows = np.exp(-0.5 * (_FACTOR_ROW / factor_sd) ** 2)
     rows *= np.where(_ONE_SIDE, one_side, 1 - one_side)
     rows *= np.where(_CAREFUL, careful, 1 - careful)
-    speakers = np.stack([rows / rows.sum(), np.zeros(len(SPEAKERS))])
-    speakers.flags.writeable = False
-    return speakers
+    return _fixed(np.stack([rows / rows.sum(), np.zeros(len(SPEAKERS))]))
 
 
 def then(
@@ -208,15 +206,17 @@ def untold_length(model: Likelihoods, walked: float) -> float:
     return 2 * _beyond(math.log(walked / UNTOLD_METRES) / model.way_log_sd)
 
 
+@lru_cache(maxsize=4096)
 def _said_over_any(
     model: Likelihoods, said: float, spread: float, walked: float
 ) -> Weights:
     true = math.log(max(walked, FEWEST_METRES))
     right = _density((said - true - _FACTOR_ROW) / spread) / spread
     any_way = _said_of_any(model, said, spread)
-    return (1 - model.length_outlier) * right / any_way + model.length_outlier
+    return _fixed((1 - model.length_outlier) * right / any_way + model.length_outlier)
 
 
+@lru_cache(maxsize=4096)
 def _survival_ratio(
     model: Likelihoods, said: float, spread: float, walked: float
 ) -> Weights:
@@ -230,7 +230,13 @@ def _survival_ratio(
         sd = math.sqrt(prior * noise / (prior + noise))
         on = np.array([_beyond((true - each) / sd) for each in mean])
         ratio *= on / max(_beyond((true - centre) / model.way_log_sd), LEAST_BEYOND)
-    return (1 - model.length_outlier) * ratio + model.length_outlier
+    return _fixed((1 - model.length_outlier) * ratio + model.length_outlier)
+
+
+def _fixed(ratio: Weights) -> Weights:
+    """Keep what many share from being changed by one."""
+    ratio.flags.writeable = False
+    return ratio
 
 
 @lru_cache(maxsize=4096)

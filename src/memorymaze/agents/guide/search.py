@@ -6,7 +6,13 @@ from collections.abc import Sequence
 import numpy as np
 
 from memorymaze.agents.agent import Journal
-from memorymaze.agents.guide.alignments import AssumedStart, Frontier, Segment, Slip
+from memorymaze.agents.guide.alignments import (
+    AssumedStart,
+    Frontier,
+    Segment,
+    Slip,
+    mass_of,
+)
 from memorymaze.agents.guide.arriving import Ending, walk_up_to
 from memorymaze.agents.guide.asking import ANSWER_TRUST, Answer, Inquiry, Situation
 from memorymaze.agents.guide.choosing import Choice
@@ -166,13 +172,13 @@ class Search:
         legs = np.zeros(most + 1)
         wrong = 0.0
         for frontier in self._tellings.frontiers.values():
-            for segment, weights in frontier.alignments:
+            for segment, weights, mass in frontier.alignments:
                 telling = self._tellings.all[segment.telling]
-                legs[segment.leg + most - telling.legs] += weights.sum()
-                wrong += weights[1].sum()
+                legs[segment.leg + most - telling.legs] += mass
+                wrong += mass_of(weights[1])
         for ending in self._tellings.endings:
             legs[-1] += ending.mass
-            wrong += ending.weights[1].sum()
+            wrong += mass_of(ending.weights[1])
         total = max(float(legs.sum()), 1e-300)
         return [float(each) / total for each in legs], float(wrong) / total
 
@@ -217,8 +223,8 @@ class Search:
         begin = walker.travelled
         found: list[tuple[Sighting, float]] = []
         rest = self._total - sum(
-            weights.sum()
-            for segment, weights in frontier.alignments
+            mass
+            for segment, _, mass in frontier.alignments
             if segment.leg == self._of(segment).legs
         )
 
@@ -229,11 +235,11 @@ class Search:
                 walked = walker.travelled - begin
                 there = sum(
                     self._of(segment).arrivals.here(segment, sighting, walked).sum()
-                    for segment, _ in frontier.alignments
+                    for segment, _, _ in frontier.alignments
                 )
                 beyond = sum(
                     self._of(segment).arrivals.beyond(segment, sighting, walked).sum()
-                    for segment, _ in frontier.alignments
+                    for segment, _, _ in frontier.alignments
                 )
                 chance = float(there / (there + beyond + rest))
                 if chance >= self._choice.patience.sure:
@@ -295,8 +301,8 @@ class Search:
     def _may_end_on(self, frontier: Frontier) -> bool:
         """Tell whether all turns are likely made where a way begins."""
         last = sum(
-            float(weights.sum())
-            for segment, weights in frontier.alignments
+            mass
+            for segment, _, mass in frontier.alignments
             if segment.leg == self._of(segment).legs
         )
         return last >= self._choice.patience.near * frontier.mass
@@ -360,9 +366,9 @@ class Search:
         kin: list[str] = []
         for number, telling in enumerate(self._tellings.all):
             shares = np.zeros(telling.legs + 1)
-            for segment, weights in frontier.alignments:
+            for segment, _, mass in frontier.alignments:
                 if segment.telling == number:
-                    shares[segment.leg] += weights.sum() / whole
+                    shares[segment.leg] += mass / whole
             for leg in range(telling.legs + 1):
                 near = float(shares[max(leg - 1, 0) : leg + 2].sum())
                 awaited.append((near, telling.things.phrases(leg)))

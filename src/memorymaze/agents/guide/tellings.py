@@ -69,9 +69,9 @@ class Telling:
         self.endings = [] if self.breaks_off else self.arrivals.endings(self.belief)
         self._shares_at: dict[Point, float] = {}
         self._open = sum(
-            float(weights.sum())
+            mass
             for frontier in self.belief.frontiers.values()
-            for segment, weights in frontier.alignments
+            for segment, _, mass in frontier.alignments
             if self.is_past(segment)
         )
         self.total = sum(each.mass for each in self.belief.frontiers.values())
@@ -97,12 +97,14 @@ class Telling:
         frontier = self.belief.frontiers.get(key)
         if frontier is None:
             return 0.0
-        mass = sum(
-            float(weights.sum())
-            for segment, weights in frontier.alignments
+        if not self.breaks_off:
+            return frontier.mass / self.total
+        masses = (
+            mass
+            for segment, _, mass in frontier.alignments
             if not self.is_past(segment)
         )
-        return mass / self.total
+        return sum(masses) / self.total
 
     def share_at(self, place: Point) -> float:
         """Return how likely it takes a place for the destination."""
@@ -209,11 +211,9 @@ class Tellings:
                 factor = agreed(lambda each, key=key: each.share_of_way(key))
                 factor *= is_it / telling.total
                 joined = self.frontiers.setdefault(key, Frontier(*key))
-                joined.alignments += [
-                    (segment, weights * factor)
-                    for segment, weights in frontier.alignments
-                    if not telling.is_past(segment)
-                ]
+                for segment, weights, _ in frontier.alignments:
+                    if not telling.is_past(segment):
+                        joined.add(segment, weights * factor)
             for ending in telling.endings:
                 place = ending.place
                 factor = agreed(lambda each, place=place: each.share_at(place))

@@ -49,6 +49,7 @@ THIS_FLOOR, OTHER_FLOOR = 3.3, 0.08
 NO_WAY = 0.25
 """Weight of a place that has no such floor on the side where it was told."""
 _SIDES = {"left": math.pi / 2, "right": -math.pi / 2, "ahead": 0.0}
+_ByLine = dict[tuple[Point, ...], list[Sighting]]
 BEFORE_ANY = 60.0
 """Metres of way that the usual rates of things are worth, beside those counted."""
 
@@ -63,12 +64,16 @@ class Things:
         self._model = model
         self._mentions = [_things_of(plan, n) for n in range(len(plan.legs) + 1)]
         self._outlooks = [outlook_of(plan, n) for n in range(len(plan.legs) + 1)]
+        self._met: dict[str, tuple[list[Sighting], _ByLine]] = {}
+        """What was seen for a phrase, and which of it along which line."""
         self.forget()
 
     def forget(self) -> None:
         """Begin to weigh anew, after something was seen."""
-        self._met: dict[tuple[str, tuple[Point, ...]], list[Sighting]] = {}
         self._heard: dict[tuple[int, tuple[Point, ...]], Heard | None] = {}
+        for phrase, (seen, _) in list(self._met.items()):
+            if seen != self._floor.seen(phrase):
+                del self._met[phrase]
 
     def mentions(self, number: int) -> tuple[Mention, ...]:
         """Return the things on a leg, or on the last stretch."""
@@ -268,9 +273,12 @@ class Things:
         return self._heard[key]
 
     def _met_along(self, phrase: str, line: tuple[Point, ...]) -> list[Sighting]:
-        met = self._met.get((phrase, line))
+        if phrase not in self._met:
+            self._met[phrase] = self._floor.seen(phrase), {}
+        by_line = self._met[phrase][1]
+        met = by_line.get(line)
         if met is None:
-            met = self._met[phrase, line] = [
+            met = by_line[line] = [
                 each
                 for each in self._floor.seen(phrase)
                 if distance_to_line(each.place, line) <= BESIDE
