@@ -1,6 +1,6 @@
 """A random walk through the university, as a Gymnasium environment.
 
-Try it: python examples/gymnasium_random.py    (needs the extra: memorymaze[gym])
+Try it: python examples/gymnasium_random.py
 """
 
 import gymnasium

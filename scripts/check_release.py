@@ -26,7 +26,7 @@ LEFT_OUT = {
     r"^pip install|^memorymaze benchmark$": "done before",
     r"--model |replies\.jsonl": "asks a language model",
     r"memorymaze (try|study|sites edit)\b": "serves pages; extra studies",
-    r"memorymaze replay\b": "needs graphics",
+    r"memorymaze replay\b": "needs graphics; extra video",
 }
 """Commands of README.md that are not tried, as patterns, and why."""
 SHORTER = {

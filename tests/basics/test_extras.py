@@ -10,7 +10,7 @@ from memorymaze.basics.errors import SettingsError
 from memorymaze.basics.extras import command_here, how_to_install, require_extra
 
 NAMED = re.compile(
-    r"""(?:memorymaze\[|require_extra\(\s*"|how_to_install\(')([a-z-]+)"""
+    r"""(?:memorymaze\[|require_extra\(\s*"|how_to_install\(')([a-z,-]+)"""
 )
 PROJECT = Path(__file__).parents[2]
 
@@ -54,9 +54,10 @@ def test_every_extra_that_the_code_names_is_one_of_the_project() -> None:
     project = tomllib.loads((PROJECT / "pyproject.toml").read_text(encoding="utf-8"))
     known = set(project["project"]["optional-dependencies"])
     named = {
-        match
+        extra
         for file in (PROJECT / "src").rglob("*.py")
         for match in NAMED.findall(file.read_text(encoding="utf-8"))
+        for extra in match.split(",")
     }
     assert named
     assert named <= known

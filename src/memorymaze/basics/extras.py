@@ -12,7 +12,7 @@ _CHECKOUT = Path(__file__).parents[3]
 
 
 def how_to_install(extra: str) -> str:
-    """Return what to type to get an extra into the environment that runs this.
+    """Return what to type to get an extra, or several, into this environment.
 
     A checkout installs from itself, with the versions it was tested with.
     """
@@ -44,7 +44,7 @@ def require_extra(
     """Refuse to go on without the packages of an extra.
 
     Args:
-        extra: Name of the extra in `pyproject.toml`.
+        extra: Name of the extra in `pyproject.toml`; of several with commas between.
         packages: As they are imported; top-level names.
         purpose: What needs them, at the beginning of the message.
         otherwise: What can be done instead of installing it.

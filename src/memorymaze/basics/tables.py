@@ -14,6 +14,8 @@ from html import escape
 from itertools import groupby
 from typing import TYPE_CHECKING, Any, Literal
 
+from memorymaze.basics.extras import require_extra
+
 if TYPE_CHECKING:
     import pandas
 
@@ -127,7 +129,8 @@ class Table:
         return [{field: row.get(field) for field in self.fields} for row in self.rows]
 
     def frame(self) -> "pandas.DataFrame":
-        """Return the fields as a data frame."""
+        """Return the fields as a data frame; needs the extra `tables`."""
+        require_extra("tables", "pandas", purpose="data frames")
         import pandas
 
         return pandas.DataFrame(self.records(), columns=list(self.fields))
@@ -141,7 +144,8 @@ class Table:
         return out.getvalue()
 
     def parquet(self) -> bytes:
-        """Write the fields as a Parquet file."""
+        """Write the fields as a Parquet file; needs the extra `tables`."""
+        require_extra("tables", "pyarrow", purpose="Parquet", otherwise="take CSV")
         import pyarrow
         import pyarrow.parquet
 
@@ -276,7 +280,7 @@ def write_tables(tables: Sequence[Table], style: TableFormat) -> bytes:
         style: CSV and Parquet hold the rows of all tables one after the other.
 
     Raises:
-        SettingsError: `parquet` without pyarrow.
+        SettingsError: `parquet` without the extra `tables`.
     """
     if style in {"csv", "parquet"}:
         rows = tuple(row for table in tables for row in table.rows)

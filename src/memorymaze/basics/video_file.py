@@ -1,4 +1,7 @@
-"""Writing video into an mp4 file, frame by frame, by the library PyAV."""
+"""Writing video into an mp4 file, frame by frame, by the library PyAV.
+
+That comes with the extra `video`; nothing imports it before a video is made.
+"""
 
 import os
 import sys
@@ -6,15 +9,18 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import TYPE_CHECKING, Any, NoReturn
 
-import av
 import numpy as np
 from numpy.typing import NDArray
 from tqdm import tqdm
 
 from memorymaze.basics.durable_files import replaced_when_whole
 from memorymaze.basics.errors import SettingsError
+from memorymaze.basics.extras import require_extra
+
+if TYPE_CHECKING:
+    import av
 
 SECONDS_BETWEEN_LINES = 15.0
 
@@ -54,6 +60,8 @@ class VideoFile:
         title: str | None = None,
     ) -> None:
         """Begin a file of frames with a width and a height, pixels."""
+        import av
+
         # Else the library's version stands in the file.
         self._container = av.open(
             str(path), "w", format="mp4", container_options={"fflags": "+bitexact"}
@@ -72,7 +80,7 @@ class VideoFile:
             context.colorspace = context.color_primaries = context.color_trc = BT709
             context.color_range = LIMITED_RANGE
 
-    def add(self, frame: av.VideoFrame) -> None:
+    def add(self, frame: "av.VideoFrame") -> None:
         """Add a frame."""
         self._container.mux(self._stream.encode(frame))
 
@@ -87,6 +95,11 @@ class VideoFile:
                 self._container.mux(self._stream.encode(None))
         finally:
             self._container.close()
+
+
+def require_encoder() -> None:
+    """Refuse to go on without PyAV; SettingsError says what to type."""
+    require_extra("video", "av", purpose="videos")
 
 
 def check_picture(about: str, size: tuple[int, int], smallest: int) -> None:
@@ -129,6 +142,12 @@ def check_target(path: str | Path, ending: str, about: str) -> Path:
     return target
 
 
+def check_video_path(path: str | Path) -> Path:
+    """Refuse a file that no video can be written to, or a machine without PyAV."""
+    require_encoder()
+    return check_target(path, ".mp4", "video")
+
+
 def progress_bar(total: int, unit: str, *, shown: bool) -> "tqdm[NoReturn]":
     """Return a bar on stderr; in files of logs it has a line now and then."""
     return tqdm(
@@ -164,10 +183,10 @@ def write_video(
         told: Is told after each picture how many of how many are written.
 
     Raises:
-        SettingsError: The file cannot be there.
+        SettingsError: The file cannot be there, or the extra `video` is missing.
         OSError: The file cannot be written to its end.
     """
-    target = check_target(path, ".mp4", "video")
+    target = check_video_path(path)
     with replaced_when_whole(target) as unfinished:
         # The encoder would say after minutes, and without a name, that it cannot write.
         unfinished.touch()
@@ -182,8 +201,10 @@ def write_video(
                     told(number, total)
 
 
-def video_frame(picture: NDArray[np.uint8]) -> av.VideoFrame:
+def video_frame(picture: NDArray[np.uint8]) -> "av.VideoFrame":
     """Return a picture, (height, width, 3) or planes, as the encoder takes it."""
+    import av
+
     if picture.ndim == 2:
         return av.VideoFrame.from_ndarray(picture, format="yuv420p")
     colours = av.VideoFrame.from_ndarray(picture, format="rgb24")

@@ -1,4 +1,5 @@
 import shutil
+import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -109,3 +110,19 @@ def test_a_place_that_takes_no_file_is_named_at_once(
     done = memorymaze("replay", *given, *SMALL, "--out", "/proc/walk.mp4")
     assert (done.code, done.out) == (1, "")
     assert "/proc/walk.mp4" in done.err
+
+
+def test_without_the_extra_for_videos_there_are_still_recordings(
+    memorymaze: Memorymaze,
+    given: list[str | Path],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setitem(sys.modules, "av", None)
+    done = memorymaze("replay", *given, *SMALL)
+    assert (done.code, done.out) == (2, "")
+    assert "videos: the package av is not installed; type: " in done.err
+    assert "[video]" in done.err
+    assert not Path(given[0], "replays").exists()
+    done = memorymaze("replay", *given, *SMALL, "--rerun", tmp_path / "walk.rrd")
+    assert done.code == 0, done.err

@@ -1,5 +1,6 @@
 import csv
 import io
+import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -55,6 +56,18 @@ def test_parquet_goes_to_a_file(
     out = tmp_path / "table.parquet"
     assert memorymaze("table", run, "--format", "parquet", "--out", out).code == 0
     assert out.read_bytes().startswith(b"PAR1")
+
+
+def test_parquet_without_the_extra_for_tables_says_what_to_install(
+    memorymaze: Memorymaze, run: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "pyarrow", None)
+    out = tmp_path / "table.parquet"
+    said = memorymaze("table", run, "--format", "parquet", "--out", out)
+    assert said.code == 2
+    assert "Parquet: the package pyarrow is not installed; type: " in said.err
+    assert "[tables], or take CSV" in said.err.replace("'", "")
+    assert not out.exists()
 
 
 def test_the_help_tells_every_table_that_can_be_chosen(memorymaze: Memorymaze) -> None:

@@ -95,6 +95,16 @@ def test_runs_show_themselves_as_table_frame_and_figure(
     assert len(comparison.plot().get_axes()) >= 1
 
 
+def test_frames_without_the_extra_for_tables_say_what_to_install(
+    corpus: mm.Corpus, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    run = mm.evaluate("stop", corpus, limit=1, out=tmp_path / "run", workers=1)
+    monkeypatch.setitem(sys.modules, "pandas", None)
+    for frame in (run.frame, run.table().frame):
+        with pytest.raises(SettingsError, match=r"data frames: .*pandas .*\[tables\]"):
+            frame()
+
+
 class Fails:
     """An agent that cannot go on."""
 

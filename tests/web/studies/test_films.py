@@ -1,5 +1,6 @@
 """Videos that are made while the pages of their study are served."""
 
+import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -10,7 +11,7 @@ from typing import Any
 import httpx2
 import pytest
 
-from memorymaze.basics.errors import MemoryMazeError, StudyError
+from memorymaze.basics.errors import MemoryMazeError, SettingsError, StudyError
 from memorymaze.web.studies import films as making
 from memorymaze.web.studies.films import Films
 from memorymaze.web.studies.serving import Addresses, serving_study
@@ -175,3 +176,11 @@ def test_a_video_that_is_not_there_is_named(make_study: MakeStudy) -> None:
     study.path.write_text(text, encoding="utf-8")
     with pytest.raises(StudyError, match=r"expected a video file.*'none.mp4'"):
         load_study(study.path)
+
+
+def test_a_video_that_has_to_be_made_needs_the_extra_for_videos(
+    make_study: MakeStudy, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "av", None)
+    with pytest.raises(SettingsError, match=r"videos: the package av .*\[video\]"):
+        Films(make_study("online"))

@@ -52,7 +52,8 @@ def _add_make(verbs: Verbs) -> None:
     parser.add_argument(
         "--frames",
         action="store_true",
-        help="also pictures, depth and actions of perfect walks, in LeRobot's layout",
+        help="also pictures, depth and actions of perfect walks, in LeRobot's layout; "
+        "needs the extras [tables] and [video]",
     )
     parser.add_argument(
         "--frame-size",

@@ -23,7 +23,9 @@ def add_parser(verbs: Verbs) -> None:
         "episode", metavar="EPISODE", help="id of an episode, as episodes.jsonl has it"
     )
     parser.add_argument(
-        "--out", metavar="FILE", help="video (default: RUN/replays/EPISODE.mp4)"
+        "--out",
+        metavar="FILE",
+        help="video (default: RUN/replays/EPISODE.mp4); needs the extra [video]",
     )
     parser.add_argument(
         "--rerun",
@@ -60,7 +62,7 @@ def add_parser(verbs: Verbs) -> None:
 
 
 def _run(options: argparse.Namespace) -> None:
-    from memorymaze.basics.video_file import check_target
+    from memorymaze.basics.video_file import check_video_path, require_encoder
     from memorymaze.runs.replay.film import ReplaySettings, film_replay
     from memorymaze.runs.replay.recording import check_recording_path, record_replay
     from memorymaze.runs.story import load_episode
@@ -79,13 +81,15 @@ def _run(options: argparse.Namespace) -> None:
     video = options.out
     if video is None and recording is None:
         video = str(folder / f"{name}.mp4")
+    if video is not None:
+        require_encoder()
     episode = load_episode(options.run_folder, options.episode)
     if any(
         file is not None and Path(file).parent == folder for file in (video, recording)
     ):
         folder.mkdir(exist_ok=True)
     if video is not None:
-        check_target(video, ".mp4", "video")
+        check_video_path(video)
     if recording is not None:
         check_recording_path(recording)
     if recording is not None:

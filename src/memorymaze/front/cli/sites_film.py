@@ -11,7 +11,8 @@ def add_film(actions: Verbs) -> None:
     parser = actions.add_parser(
         "film",
         help="make the first-person video of a route",
-        description="Make the first-person video of a route, or a 360-degree one.",
+        description="Make the first-person video of a route, or a 360-degree one; "
+        "needs the extra [video].",
         epilog="example: memorymaze sites film museum_5f R1 --panorama --out R1.mp4",
     )
     add_site_and_route(parser)

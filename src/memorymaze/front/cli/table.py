@@ -34,7 +34,8 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
         "--format",
         choices=["text", "md", "latex", "csv", "parquet"],
         default="text",
-        help="aligned text, Markdown, LaTeX, CSV or Parquet (default: text)",
+        help="aligned text, Markdown, LaTeX, CSV, or Parquet, which needs the extra [tables] "
+        "(default: text)",
     )
     parser.add_argument(
         "--out", metavar="FILE", help="write to a file (Parquet: needed)"

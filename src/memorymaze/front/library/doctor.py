@@ -28,7 +28,13 @@ EXTRAS = (
         ("starlette", "uvicorn", "python_multipart", "cryptography"),
         "memorymaze study, try and sites edit",
     ),
+    ("tables", ("pandas", "pyarrow"), "data frames, Parquet, dataset make --frames"),
     ("usd", ("pxr",), "sites export --to usd"),
+    (
+        "video",
+        ("av",),
+        "replay, sites film, dataset make --frames and the videos of studies",
+    ),
 )
 """Extra, its packages as they are imported, and what needs them."""
 
@@ -81,4 +87,4 @@ def _drawing() -> Check:
     if done.returncode != 0:
         last = (done.stderr.strip().splitlines() or ["no message"])[-1]
         return Check(what, False, f"{backend} does not draw ({last})", HOW_TO_INSTALL)
-    return Check(what, True, f"pictures and films are drawn with {backend}")
+    return Check(what, True, f"pictures are drawn with {backend}")

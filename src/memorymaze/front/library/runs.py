@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from memorymaze.basics.errors import SettingsError
+from memorymaze.basics.extras import require_extra
 from memorymaze.basics.tables import Table
 from memorymaze.language.models.model_settings import ModelSettings
 from memorymaze.runs.episodes.agent_catalogue import AgentChoice
@@ -51,7 +52,8 @@ class Run(MeasuredRun):
         return run_tables([self], choice)[0]
 
     def frame(self) -> "pandas.DataFrame":
-        """Return the results, a row an episode."""
+        """Return the results, a row an episode; needs the extra `tables`."""
+        require_extra("tables", "pandas", purpose="data frames")
         import pandas
 
         rows = [{"run": self.name, **asdict(each)} for each in self.results]
@@ -105,7 +107,7 @@ class Comparison:
         return run_tables(self.runs, choice)[0]
 
     def frame(self) -> "pandas.DataFrame":
-        """Return the paired differences as a frame."""
+        """Return the paired differences as a frame; needs the extra `tables`."""
         return self.table().frame()
 
     def plot(self) -> "Figure":

@@ -11,15 +11,13 @@ from concurrent.futures.process import BrokenProcessPool
 from contextlib import closing
 from fractions import Fraction
 
-import av
 import numpy as np
-from av.filter import Graph
 from numpy.typing import NDArray
 
 from memorymaze.basics.errors import MemoryMazeError
 from memorymaze.basics.geometry.pose import Pose, turn_between
 from memorymaze.basics.processes import available_cores, die_with_parent, main_left_out
-from memorymaze.basics.video_file import planes_of, video_frame
+from memorymaze.basics.video_file import planes_of, require_encoder, video_frame
 from memorymaze.runs.films.settings import WalkthroughSettings
 from memorymaze.world.cameras.camera import RenderedCamera
 from memorymaze.world.cameras.visual_scene import build_visual_scene
@@ -59,9 +57,11 @@ def frames_from(
     """Draw what is seen from each pose, in order: planes of each (`planes_of`).
 
     Raises:
+        SettingsError: The extra `video` is missing.
         RenderingError: This machine cannot draw; says what to install.
         MemoryMazeError: A process was killed.
     """
+    require_encoder()
     places = places_drawn(poses, panorama=settings.panorama)
     drawn = [pose for pose, _ in places]
     with closing(_drawn_by_processes(site, settings, drawn)) as pictures:
@@ -105,7 +105,7 @@ def _drawn_by_processes(
 ) -> Generator[NDArray[np.uint8]]:
     useful = min(MOST_PROCESSES, math.ceil(len(poses) / POSES_EACH))
     workers = max(1, min(available_cores(), useful))
-    PROCESSES.set_forkserver_preload([__name__])
+    PROCESSES.set_forkserver_preload([__name__, "av.filter"])
     pool = ProcessPoolExecutor(
         workers, PROCESSES, initializer=_begin, initargs=(site, settings)
     )
@@ -189,6 +189,9 @@ class _Projection:
     """Puts the faces of a cube together to a panorama, by FFmpeg's filter v360."""
 
     def __init__(self, edge: int, width: int) -> None:
+        import av
+        from av.filter import Graph
+
         self._graph = graph = Graph()
         graph.threads = 1
         graph.link_nodes(
@@ -209,11 +212,13 @@ class _Projection:
 
     def panorama(self, faces: Sequence[NDArray[np.uint8]]) -> NDArray[np.uint8]:
         """Return the planes of the panorama."""
+        from av import VideoFrame
+
         rows = [np.concatenate(faces[:3], axis=1), np.concatenate(faces[3:], axis=1)]
         frame = video_frame(np.concatenate(rows))
         frame.pts = self._made
         self._made += 1
         self._graph.push(frame)
         made = self._graph.pull()
-        assert isinstance(made, av.VideoFrame)
+        assert isinstance(made, VideoFrame)
         return np.asarray(made.to_ndarray(), dtype=np.uint8)

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from memorymaze.basics.errors import MemoryMazeError
 from memorymaze.basics.geometry.pose import Pose, wrap_angle
 from memorymaze.basics.geometry.trajectory import Trajectory
-from memorymaze.basics.video_file import check_target, write_video
+from memorymaze.basics.video_file import check_video_path, write_video
 from memorymaze.robot.simulation.robot import SimulatedRobot
 from memorymaze.robot.simulation.scene import Scene
 from memorymaze.robot.simulation.settings import SimulationSettings
@@ -58,13 +58,13 @@ def film_walkthrough(
         How many frames it has.
 
     Raises:
-        SettingsError: The file cannot be there, or the package for videos is missing.
+        SettingsError: The file cannot be there, or the extra `video` is missing.
         RenderingError: This machine cannot draw; says what to install.
         MemoryMazeError: The route cannot be driven.
         OSError: The file cannot be written to its end.
     """
     settings = settings or WalkthroughSettings()
-    check_target(path, ".mp4", "video")
+    check_video_path(path)
     poses = list(tour_of(scene, route).poses(settings.fps, settings.speed))
     # Closed at once where the film is broken off, with the processes that draw.
     with closing(frames_from(scene.site, settings, poses)) as frames:

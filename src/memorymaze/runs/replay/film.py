@@ -57,6 +57,10 @@ def film_replay(
     """Write the video of an episode, and return how many frames it has.
 
     The same episode and settings give the same file on one machine.
+
+    Raises:
+        SettingsError: The file cannot be there, or the extra `video` is missing.
+        OSError: The file cannot be written to its end.
     """
     settings = settings or ReplaySettings()
     count = len(_times(episode, settings))

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 from memorymaze.basics.errors import InstructionFileError
+from memorymaze.basics.extras import require_extra
 from memorymaze.basics.input_files import parse_json, read_file, read_text, refusal
 from memorymaze.texts.corpus.record_format import (
     FIELDS,
@@ -32,7 +33,7 @@ def write_spreadsheet(
 
     Raises:
         InstructionFileError: The file cannot be written.
-        SettingsError: A package is missing.
+        SettingsError: Parquet without the extra `tables`.
     """
     rows: list[dict[str, Any]] = []
     for each in instructions:
@@ -51,7 +52,7 @@ def read_spreadsheet(path: str | Path, kind: _Kind) -> list[Instruction]:
 
     Raises:
         InstructionFileError: The file cannot be read, or rows are wrong; lists them.
-        SettingsError: A package is missing.
+        SettingsError: Parquet without the extra `tables`.
     """
     instructions, problems = read_rows(path, kind)
     if problems:
@@ -72,7 +73,7 @@ def read_rows(
 
     Raises:
         InstructionFileError: The file cannot be read, or is no table of instructions.
-        SettingsError: A package is missing.
+        SettingsError: Parquet without the extra `tables`.
     """
     columns, rows = _from_csv(path) if kind == "csv" else _from_parquet(path)
     missing = [name for name in ("site", "route", "text") if name not in columns]
@@ -148,7 +149,12 @@ def _from_csv(path: str | Path) -> tuple[Sequence[str], list[dict[str, Any]]]:
     return columns, rows
 
 
+def _require_parquet() -> None:
+    require_extra("tables", "pyarrow", purpose="Parquet", otherwise="take CSV")
+
+
 def _as_parquet(rows: list[dict[str, Any]]) -> bytes:
+    _require_parquet()
     # Imported here: it takes longer than all else of a command.
     import pyarrow
     import pyarrow.parquet
@@ -159,6 +165,7 @@ def _as_parquet(rows: list[dict[str, Any]]) -> bytes:
 
 
 def _from_parquet(path: str | Path) -> tuple[Sequence[str], list[dict[str, Any]]]:
+    _require_parquet()
     import pyarrow.parquet
 
     content = io.BytesIO(read_file(path, InstructionFileError))

@@ -10,6 +10,7 @@ from typing import Any
 
 from memorymaze.basics.durable_files import check_new_folder, new_folder, write_whole
 from memorymaze.basics.errors import SettingsError
+from memorymaze.basics.extras import require_extra
 from memorymaze.basics.options import check_whole
 from memorymaze.basics.tables import Table
 from memorymaze.texts.corpus.files import write_instructions
@@ -112,10 +113,13 @@ def make_dataset(
         Its statistics.
 
     Raises:
-        SettingsError: The folder holds something else, or cannot be made.
+        SettingsError: The folder holds something else, or cannot be made; or frames
+            are wanted without the extras `tables` and `video`.
         RenderingError: This machine cannot draw the frames; says what to install.
         MemoryMazeError: A building or a walk cannot be made.
     """
+    if request.frame_size is not None:
+        require_extra("tables,video", "av", "pandas", "pyarrow", purpose="--frames")
     with new_folder(folder, replaces=MARK if overwrite else None) as unfinished:
         buildings = _buildings(request, unfinished, workers, progress)
         texts = [text for each in buildings for text in each.instructions]

@@ -7,6 +7,7 @@ from io import BytesIO
 from pathlib import Path
 from string import Template
 
+from memorymaze.basics.extras import require_extra
 from memorymaze.texts.corpus.files import load_instructions
 from memorymaze.texts.corpus.record_format import instruction_record, write_file
 from memorymaze.world.sites.loading import BUILTIN_SITE_NAMES, plan_file
@@ -25,7 +26,9 @@ def write_hub_folder(folder: str | Path) -> list[Path]:
 
     Raises:
         InstructionFileError: A file cannot be written.
+        SettingsError: The extra `tables` is missing.
     """
+    require_extra("tables", "pyarrow", purpose="--format hub")
     # Imported here: it takes longer than all else of a command.
     import pyarrow
     import pyarrow.parquet

@@ -12,6 +12,7 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Literal
 
+from memorymaze.basics.video_file import require_encoder
 from memorymaze.basics.wording import counted
 from memorymaze.robot.simulation.scene import build_scene
 from memorymaze.runs.films import WalkthroughSettings
@@ -51,6 +52,7 @@ class Films:
         """Look which videos are there.
 
         Raises:
+            SettingsError: One is missing, and so is the extra `video`.
             RenderingError: One is missing, and this machine cannot draw.
         """
         self._study = study
@@ -63,6 +65,7 @@ class Films:
         self._began = 0.0
         self._ended = threading.Event()
         if self._missing:
+            require_encoder()
             choose_backend()
 
     def ready(self, route: str) -> Path | None:

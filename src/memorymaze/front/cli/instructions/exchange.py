@@ -10,9 +10,9 @@ FORMATS = {
     "r2r": "Room-to-Room: R2R_SPLIT.json with the navigation graphs beside it",
     "vln_ce": "VLN-CE: SPLIT.json.gz and its ground truth",
     "csv": "one row per instruction",
-    "parquet": "one row per instruction",
+    "parquet": "the same; needs the extra [tables]",
 }
-HUB = "the shipped texts as a folder for dataset hubs, with a card"
+HUB = "the shipped texts as a folder for dataset hubs, with a card; needs the extra [tables]"
 
 
 def add_parser(actions: Verbs) -> None:
