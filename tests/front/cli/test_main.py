@@ -85,6 +85,7 @@ def test_wrong_usage_gives_code_2_and_the_usage(
         "settings --of none",
         "sites check none.geojson",
         "sites draw none.geojson --out new.png",
+        "sites draw university --out none/new.png",
         "sites export none.geojson --to gltf --out new.glb",
         "sites import none.osm --from osm --out new.geojson",
         "sites list --sites none",

@@ -69,6 +69,9 @@ def run_command_line(arguments: Sequence[str] | None = None) -> int:
         # The reader (such as `head`) has seen enough; spare Python's own complaint.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return FAILED
+    except (FileNotFoundError, NotADirectoryError) as error:
+        _explain(error, options.debug)
+        return WRONG_USAGE
     except (OSError, MemoryError) as error:
         _explain(error, options.debug)
         return FAILED
