@@ -72,7 +72,8 @@ def _add_serve(actions: Verbs) -> None:
         "experimenter at another. On this machine only, unless --host says otherwise. "
         "Videos that are missing are made meanwhile. Of the kind onsite, the experimenter's "
         "tablet comes to --host; it records over https only (--tls).",
-        epilog="example: memorymaze study serve my_study.toml --host 192.168.1.20 --tls",
+        epilog="example: memorymaze study serve my_study.toml (that `memorymaze study new` "
+        "made)",
     )
     _add_file(parser)
     parser.add_argument(
