@@ -87,17 +87,17 @@ class _Defaults(BaseModel):
     sites: str | None = None
 
 
-class _Run(_Defaults):
+class _RunEntry(_Defaults):
     name: Annotated[str, Field(pattern=r"^[\w-]+$")]
     agent: str
 
 
-class _Suite(BaseModel):
+class _SuiteFile(BaseModel):
     model_config = ConfigDict(strict=True, extra="forbid", frozen=True)
 
     tables: list[str] = ["II"]
     defaults: _Defaults = _Defaults()
-    runs: Annotated[list[_Run], Field(min_length=1)]
+    runs: Annotated[list[_RunEntry], Field(min_length=1)]
     absent: dict[str, str] = {}
 
 
@@ -138,7 +138,7 @@ def read_suite(path: str | Path) -> Suite:
     text = read_text(path, SettingsError)
     content = parse_toml(text, path, SettingsError)
     try:
-        read = _Suite.model_validate(content)
+        read = _SuiteFile.model_validate(content)
     except ValidationError as error:
         problems = [
             field_problem(path, text, where, _unless_unknown(where, said))
@@ -169,7 +169,9 @@ def read_suite(path: str | Path) -> Suite:
 def _unless_unknown(where: str, said: str) -> str:
     if "Extra inputs" not in said:
         return said
-    return f"expected no field of this name{did_you_mean(where, _Suite.model_fields)}"
+    return (
+        f"expected no field of this name{did_you_mean(where, _SuiteFile.model_fields)}"
+    )
 
 
 def _given(path: Path, text: str, table: str, part: _Defaults) -> list[GivenSetting]:
@@ -186,7 +188,7 @@ def _given(path: Path, text: str, table: str, part: _Defaults) -> list[GivenSett
 
 
 def _run_of_suite(
-    path: Path, run: _Run, defaults: _Defaults, given: list[GivenSetting]
+    path: Path, run: _RunEntry, defaults: _Defaults, given: list[GivenSetting]
 ) -> RunOfSuite:
     texts = run.instructions or defaults.instructions
     sites = run.sites or defaults.sites
