@@ -180,7 +180,7 @@ def _export(options: argparse.Namespace) -> None:
 
     study = load_study(options.file)
     if study.design.kind == "follow":
-        _export_walks(study, options)
+        _write_walks(study, options)
         return
     with open_store(study, alone=False) as store:
         done = export_study(study, store, options.out)
@@ -198,7 +198,7 @@ def _export(options: argparse.Namespace) -> None:
         )
 
 
-def _export_walks(study: "Study", options: argparse.Namespace) -> None:
+def _write_walks(study: "Study", options: argparse.Namespace) -> None:
     """Write the walks of people as runs."""
     from memorymaze.web.studies.follow.runs import export_walks
     from memorymaze.web.studies.store import open_store
