@@ -13,7 +13,7 @@ from memorymaze.front.cli.main import command_line
 
 PROJECT = Path(__file__).parents[1]
 PAGES = (PROJECT / "README.md", *sorted((PROJECT / "docs").glob("*.md")))
-COMMAND = re.compile(r"^ {4,}(?:\.venv/bin/)?memorymaze ((?:.*\\\n)*.*)$", re.MULTILINE)
+COMMAND = re.compile(r"^ {4,}memorymaze ((?:.*\\\n)*.*)$", re.MULTILINE)
 
 
 def commands_of(page: Path) -> list[list[str]]:
