@@ -22,7 +22,7 @@ PROJECT = Path(__file__).resolve().parents[1]
 LARGEST = 40 * 2**20
 """Bytes of the wheel, and of the sdist."""
 LEFT_OUT = {
-    r"^make |pip install -e": "of the repository",
+    r"^make |^source |pip install -e": "of the repository",
     r"^pip install|^memorymaze benchmark$": "done before",
     r"--model |replies\.jsonl": "asks a language model",
     r"memorymaze (try|study|sites edit)\b": "serves pages; extra studies",
@@ -155,7 +155,7 @@ class User:
                 command = re.sub(long, short, command)
             if "memorymaze evaluate" in command:
                 command += f" --workers 1 --limit {limit}"
-            self.run(command.replace(".venv/bin/", ""))
+            self.run(command)
 
     def check_types(self) -> None:
         """Have pyright check a program that is right, and one with a mistake."""

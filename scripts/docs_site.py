@@ -1,6 +1,6 @@
 """Hooks of `mkdocs.yml`: the README is the front page, and the lab has all its notes.
 
-Links to what is no page, such as an example, become its path in the repository.
+The reference is made here: its page is of use only with the docstrings filled in. Links to what is no page, such as an example, become its path in the repository.
 """
 
 import re
@@ -12,9 +12,12 @@ from mkdocs.exceptions import PluginError
 from mkdocs.structure.files import File, Files
 from mkdocs.structure.pages import Page
 
+import memorymaze
+
 PROJECT = Path(__file__).parents[1]
 PAGES = PROJECT / "docs"
 FRONT = "index.md"
+REFERENCE = "reference.md"
 LINK = re.compile(r"(?<!!)\[([^\]]*)\]\(([^)\s#:]+)(#[^)\s]*)?\)")
 
 
@@ -28,10 +31,24 @@ def on_config(config: MkDocsConfig) -> MkDocsConfig:
 
 
 def on_files(files: Files, config: MkDocsConfig) -> Files:
-    """Have the README as the front page."""
+    """Have the README as the front page, and the names of the front door as reference."""
     text = (PROJECT / "README.md").read_text(encoding="utf-8")
     files.append(File.generated(config, FRONT, content=text))
+    files.append(File.generated(config, REFERENCE, content=_reference()))
     return files
+
+
+def _reference() -> str:
+    """Return the page that has the docstrings of all that `import memorymaze` gives."""
+    names = [name for name in memorymaze.__all__ if not name.startswith("_")]
+    kinds = {
+        "Functions": [name for name in names if name.islower()],
+        "Classes": [name for name in names if not name.islower()],
+    }
+    parts = ["# Reference", "The names that `import memorymaze as mm` gives."]
+    for heading, those in kinds.items():
+        parts += [f"## {heading}", *(f"::: memorymaze.{name}" for name in those)]
+    return "\n\n".join(parts) + "\n"
 
 
 def on_page_markdown(markdown: str, page: Page, **_: Any) -> str:

@@ -13,7 +13,7 @@ from memorymaze.front.cli.main import command_line
 
 PROJECT = Path(__file__).parents[1]
 PAGES = (PROJECT / "README.md", *sorted((PROJECT / "docs").glob("*.md")))
-COMMAND = re.compile(r"^ {4,}(?:\.venv/bin/)?memorymaze ((?:.*\\\n)*.*)$", re.MULTILINE)
+COMMAND = re.compile(r"^ {4,}memorymaze ((?:.*\\\n)*.*)$", re.MULTILINE)
 
 
 def commands_of(page: Path) -> list[list[str]]:
@@ -29,6 +29,14 @@ def verbs_of(parser: argparse.ArgumentParser) -> Iterator[tuple[str, ...]]:
         if isinstance(action, argparse._SubParsersAction):
             for name, below in action.choices.items():
                 yield from [(name, *verbs) for verbs in verbs_of(below)] or [(name,)]
+
+
+def parsers_of(parser: argparse.ArgumentParser) -> Iterator[argparse.ArgumentParser]:
+    yield parser
+    for action in parser._actions:
+        if isinstance(action, argparse._SubParsersAction):
+            for below in action.choices.values():
+                yield from parsers_of(below)
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
@@ -49,3 +57,19 @@ def test_the_page_of_the_command_line_has_every_verb() -> None:
     told = commands_of(PROJECT / "docs" / "command_line.md")
     begun = {tuple(each[:words]) for each in told for words in (1, 2)}
     assert [verb for verb in verbs_of(command_line()) if verb not in begun] == []
+
+
+def test_the_example_of_every_help_is_a_command(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    wrong: list[str] = []
+    for parser in parsers_of(command_line()):
+        example = (parser.epilog or "").removeprefix("example: ").partition(" (")[0]
+        for command in example.split(" && "):
+            program, *words = shlex.split(command)
+            try:
+                assert program == "memorymaze"
+                command_line().parse_args(words)
+            except SystemExit as stop:
+                wrong.append(f"{command}: {stop.code} {capsys.readouterr().err}")
+    assert wrong == []

@@ -190,6 +190,19 @@ def test_other_settings_than_the_default_are_named(
     assert any(each.startswith(message) for each in problems)
 
 
+def test_a_sample_is_said_to_be_whole_for_what_it_was_asked(
+    finished: Callable[..., Path],
+) -> None:
+    setting, episodes, *others = check(finished("stop", limit=3)).problems
+    assert setting == "setting limit: None expected, got 3"
+    assert (
+        "expected all 12 of the leaderboard, got a run that was asked for 3, and is "
+        in (episodes)
+    )
+    assert "whole for what it was asked" in episodes
+    assert all(each.startswith("code: ") for each in others)
+
+
 def test_an_agent_that_is_given_the_answers_is_refused(
     finished: Callable[..., Path],
 ) -> None:

@@ -23,7 +23,16 @@ def did_you_mean(name: object, known: Iterable[str], *, cutoff: float = 0.6) -> 
 
 
 class MemoryMazeError(Exception):
-    """Base of every error that is the input's fault and not the program's."""
+    """Base of every error that is the input's fault and not the program's.
+
+    Attributes:
+        is_missing: True when a file or folder that was named is not there.
+    """
+
+    def __init__(self, message: str = "", *, is_missing: bool = False) -> None:
+        """Keep the message, and whether it is about something that is not there."""
+        super().__init__(message)
+        self.is_missing = is_missing
 
 
 class SitePlanError(MemoryMazeError):

@@ -51,7 +51,10 @@ def read_file(path: str | Path, error: type[MemoryMazeError]) -> bytes:
             content = file.read(LARGEST_FILE + 1)
     except (OSError, EOFError, ValueError, zlib.error) as problem:
         reason = getattr(problem, "strerror", None) or problem
-        raise error(f"{path}: cannot be read ({reason})") from None
+        raise error(
+            f"{path}: cannot be read ({reason})",
+            is_missing=isinstance(problem, FileNotFoundError | NotADirectoryError),
+        ) from None
     if len(content) > LARGEST_FILE:
         raise error(
             f"{path}: expected a file of at most {LARGEST_FILE // 2**20} MiB, got a "

@@ -74,7 +74,7 @@ def check_submission(
     settings = record.settings
     problems = [
         *_settings_problems(settings, corpus),
-        *_episode_problems(results, corpus.episodes),
+        *_episode_problems(results, settings.episodes, corpus.episodes),
         *_code_problems(record),
     ]
     if not problems:
@@ -122,7 +122,9 @@ def _settings_problems(settings: RunDefinition, corpus: Corpus) -> Iterator[str]
         signs="truth",
     )
     for each in differences(expected, settings):
-        yield f"setting {each.name}: {each.there!r} expected, got {each.here!r}"
+        # Of episodes that were not asked for there is a problem of its own.
+        if each.name != "episodes" and not (each.kind == "site" and each.here is None):
+            yield f"setting {each.name}: {each.there!r} expected, got {each.here!r}"
     if settings.agent.is_own and not settings.isolate:
         yield (
             f"agent: expected {settings.agent.name} to be run in a process without "
@@ -139,14 +141,21 @@ def _sites_of(corpus: Corpus) -> dict[str, Site]:
 
 
 def _episode_problems(
-    results: Sequence[EpisodeResult], corpus: Sequence[Episode]
+    results: Sequence[EpisodeResult], asked: int, corpus: Sequence[Episode]
 ) -> Iterator[str]:
     told = {episode.id: episode.instruction for episode in corpus}
     missing = told.keys() - {result.episode_id for result in results}
-    if missing:
+    if len(results) < asked:
+        such = f", such as {min(missing)!r}" if missing and asked == len(told) else ""
         yield (
-            f"episodes without a result: {len(missing)} of {len(told)}, such as "
-            f"{min(missing)!r}; finish the run with --resume"
+            f"episodes without a result: {asked - len(results)} of {asked}{such}; finish "
+            "the run with --resume"
+        )
+    if missing and asked != len(told):
+        whole = "" if len(results) < asked else ", and is whole for what it was asked"
+        yield (
+            f"episodes: expected all {len(told)} of the leaderboard, got a run that was "
+            f"asked for {asked}{whole}; run it again on all"
         )
     for result in results:
         mine = told.get(result.episode_id)

@@ -92,15 +92,14 @@ def test_an_option_without_meaning_gives_code_2_and_one_message(
     ("option", "content", "said"),
     [
         pytest.param("--instructions", "{bad", ":1: expected JSON", id="line"),
-        pytest.param("--sites", "", "no such folder", id="sites"),
+        pytest.param("--sites", "x", "got a file", id="sites"),
     ],
 )
 def test_a_bad_file_gives_code_1_and_its_name(
     memorymaze: Memorymaze, tmp_path: Path, option: str, content: str, said: str
 ) -> None:
     path = tmp_path / "bad"
-    if content:
-        path.write_text(content, encoding="utf-8")
+    path.write_text(content, encoding="utf-8")
     out = tmp_path / "out"
     done = memorymaze("evaluate", "--agent", "stop", option, path, "--out", out)
     assert done.code == 1

@@ -1,6 +1,7 @@
 import subprocess
 import sys
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -55,6 +56,57 @@ def test_wrong_usage_gives_code_2_and_the_usage(
     assert said.code == 2
     assert said.out == ""
     assert "usage: memorymaze" in said.err
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        "agents none.py:Mine",
+        "answers check none.jsonl",
+        "answers import none.jsonl --store none.jsonl",
+        "compare none others",
+        "evaluate --agent none.py:Mine --out new",
+        "evaluate --agent stop --instructions none.jsonl --out new",
+        "evaluate --agent stop --settings none.toml --out new",
+        "evaluate --agent stop --sites none --out new",
+        "evaluate --suite none.toml --out new",
+        "instructions agreement none.jsonl --instructions none.jsonl",
+        "instructions check none.jsonl",
+        "instructions export none.jsonl --format vln_ce --out new",
+        "instructions import none.json --format vln_ce --out new",
+        "instructions label none.jsonl --annotator me --csv new.csv --out new.jsonl",
+        "instructions stats none.jsonl",
+        "navigate none.geojson R1 go",
+        "replay none some-episode",
+        "report none --out new",
+        "runs check none",
+        "runs leaderboard none --out new",
+        "score --cases none.json",
+        "settings --of none",
+        "sites check none.geojson",
+        "sites draw none.geojson --out new.png",
+        "sites draw university --out none/new.png",
+        "sites export none.geojson --to gltf --out new.glb",
+        "sites import none.osm --from osm --out new.geojson",
+        "sites list --sites none",
+        "study export none.toml --out new.jsonl",
+        "study serve none.toml",
+        "study withdraw none.toml p1",
+        "table none",
+    ],
+)
+def test_a_file_or_folder_that_is_not_there_is_wrong_usage(
+    memorymaze: Memorymaze,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    command: str,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    said = memorymaze(*command.split())
+    assert (said.code, said.out) == (2, "")
+    assert "usage:" not in said.err
+    assert "none" in said.err
+    assert not any(tmp_path.iterdir())
 
 
 HELP_OF_MANY = """

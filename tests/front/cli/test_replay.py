@@ -108,7 +108,7 @@ def test_a_place_that_takes_no_file_is_named_at_once(
     memorymaze: Memorymaze, given: list[str | Path]
 ) -> None:
     done = memorymaze("replay", *given, *SMALL, "--out", "/proc/walk.mp4")
-    assert (done.code, done.out) == (1, "")
+    assert (done.code, done.out) == (2, "")
     assert "/proc/walk.mp4" in done.err
 
 

@@ -158,7 +158,7 @@ def test_bytes_that_are_no_text_get_one_message(
 def test_a_file_that_is_not_there_gets_one_message(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
-    assert run_command_line(["score", "--cases", str(tmp_path / "none.json")]) == 1
+    assert run_command_line(["score", "--cases", str(tmp_path / "none.json")]) == 2
     assert "none.json: cannot be read (No such file" in capsys.readouterr().err
 
 

@@ -181,3 +181,24 @@ def test_texts_are_those_that_a_file_answers_and_only_who_asks_is_given_a_model(
     }
     assert models["stop"].replay is None
     assert models["asks"].replay == str(answers)
+
+
+def test_runs_on_other_texts_have_the_texts_they_share_in_common_under_a_limit(
+    suite: Callable[..., Path], tiny_instructions: Path, tmp_path: Path
+) -> None:
+    lines = tiny_instructions.read_text("utf-8").splitlines()
+    at_the_end = [line for line in lines if '"corridor"' in line][-1]
+    (tmp_path / "few.jsonl").write_text(f"{at_the_end}\n", encoding="utf-8")
+    few = '\n[[runs]]\nname = "few"\nagent = "stop"\ninstructions = "few.jsonl"\n'
+    path = suite()
+    text = path.read_text("utf-8").replace("\n[absent]", few + "\n[absent]")
+    path.write_text(text, encoding="utf-8")
+    out = tmp_path / "out"
+    assert run(path, out, "--limit", "2") == 0
+    followed = {
+        name: {each.episode_id for each in read_run(out / name)[1]}
+        for name in ("nowhere", "perfect", "few")
+    }
+    assert followed["nowhere"] == followed["perfect"] > followed["few"]
+    assert (len(followed["nowhere"]), len(followed["few"])) == (2, 1)
+    assert ",few," in (out / "compare.csv").read_text("utf-8")

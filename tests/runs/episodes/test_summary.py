@@ -41,13 +41,36 @@ def test_the_lines_say_what_went_wrong_most_often(
     result: Make, settings: RunDefinition
 ) -> None:
     results = [
-        result(f"{name}-1", stopped_by="crash", success=False, error=error)
+        result(f"{name}-1", stopped_by="model_error", success=False, error=error)
         for name, error in zip("abcd", ("rare", "often", "often", None), strict=True)
     ]
     summary = summarise(results, settings)
     assert summary["errors"] == {"often": 2, "rare": 1}
     assert "3 ended with an error, 2 of them with: often" in result_lines(
         settings, results
+    )
+
+
+def test_the_lines_leave_crashes_to_those_that_tell_of_them(
+    result: Make, settings: RunDefinition
+) -> None:
+    crash = result("a-1", stopped_by="crash", success=False, error="ValueError: no way")
+    said = "\n".join(result_lines(settings, [crash]))
+    assert "crashed 1" in said
+    assert "no way" not in said
+
+
+def test_endings_add_up_to_the_episodes(result: Make, settings: RunDefinition) -> None:
+    results = [
+        result("a-1"),
+        result("b-1", success=False),
+        result("c-1", success=False, gave_up=True),
+        result("d-1", success=False, gave_up=True),
+        result("e-1", success=False, stopped_by="budget"),
+    ]
+    [line] = [x for x in result_lines(settings, results) if x.startswith("endings: ")]
+    assert line.partition(";")[0] == (
+        "endings: gave up 2, arrived 1, stopped elsewhere 1, budget spent 1"
     )
 
 

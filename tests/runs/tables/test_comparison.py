@@ -89,7 +89,7 @@ def test_only_episodes_of_both_runs_count_and_the_rest_is_told(
     ]
     text = paired_table(load_runs(folders), COMPARISON).text()
     assert "LEFT OUT, as only one run has them: 2 only in A, 1 only in B." in text
-    with pytest.raises(RunFolderError, match="no episode that both have"):
+    with pytest.raises(RunFolderError, match=r"a and c: .* got no episode that the"):
         paired_table(load_runs([folders[0], write("c", [result("v-1")])]), COMPARISON)
 
 
@@ -215,3 +215,14 @@ def test_several_runs_stand_each_beside_the_first_on_what_they_share(
     assert [row["difference"] for row in table.rows] == [0.5, 1.0]
     assert [row["p"] is None for row in table.rows] == [False, True]
     assert any("LEFT OUT" in note and "19 only in A" in note for note in table.notes)
+
+
+def test_of_several_runs_one_that_shares_nothing_is_told_and_the_others_are_shown(
+    two_runs: list[Path], write: Write, result: Make
+) -> None:
+    other = write("other", [result("q0-R1", route="R1", agent="third")])
+    first, *others = load_runs([*two_runs, other])
+    table = paired_table([first, *others], OVERVIEW)
+    assert [row["run"] for row in table.rows] == ["new"]
+    [note] = [note for note in table.notes if "NOTHING IN COMMON with A" in note]
+    assert note.startswith("B: third")

@@ -63,7 +63,8 @@ def _add_import(actions: Verbs) -> None:
         help="read replies into a store",
         description="Read the replies to `memorymaze answers requests` into the store "
         "that it kept the requests in. Requests that failed stay open.",
-        epilog="example: memorymaze answers import replies.jsonl --store answers.jsonl",
+        epilog="example: memorymaze answers import replies.jsonl --store answers.jsonl "
+        "(what a server replied to requests.jsonl)",
     )
     parser.add_argument("replies", metavar="REPLIES", nargs="+", help="JSONL")
     parser.add_argument("--store", metavar="FILE", required=True)
@@ -77,7 +78,8 @@ def _add_check(actions: Verbs) -> None:
         description="Say which instructions lack answers, which answers were given to "
         "another version of the prompt, and how episodes will end before the robot "
         "moves: each program is checked as the sandbox does, and not run.",
-        epilog="example: memorymaze answers check answers.jsonl",
+        epilog="example: memorymaze answers check answers.jsonl (a store that "
+        "`memorymaze answers import` filled)",
     )
     parser.add_argument("file", metavar="FILE", help="recorded, or written by hand")
     parser.add_argument("--model", metavar="NAME", help="of a file with several")

@@ -88,10 +88,12 @@ def _run(options: argparse.Namespace) -> int | None:
         )
     if options.resume and options.out is None:
         raise SettingsError("--resume: name the run's folder with --out")
-    return _run_one(options) if options.suite is None else _run_suite(options)
+    return (
+        _evaluate_agent(options) if options.suite is None else _evaluate_suite(options)
+    )
 
 
-def _run_one(options: argparse.Namespace) -> None:
+def _evaluate_agent(options: argparse.Namespace) -> None:
     from memorymaze.front.library.runs import default_folder, evaluate
     from memorymaze.runs.episodes.in_words import crash_lines, result_lines
     from memorymaze.runs.episodes.plan import settings_for
@@ -112,7 +114,7 @@ def _run_one(options: argparse.Namespace) -> None:
     print(f"tables{when}: {command_here()} table {shlex.quote(str(out))}")
 
 
-def _run_suite(options: argparse.Namespace) -> int:
+def _evaluate_suite(options: argparse.Namespace) -> int:
     from memorymaze.basics.durable_files import write_whole
     from memorymaze.basics.errors import MemoryMazeError, SettingsError
     from memorymaze.basics.tables import write_tables

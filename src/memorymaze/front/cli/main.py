@@ -1,7 +1,8 @@
 """`memorymaze`: reads the arguments, calls a verb, and turns errors into messages.
 
 Results go to stdout, progress and messages to stderr. Exit codes: 0 done, which is
-what a verb means that returns nothing, 1 failed, 2 wrong usage. Verbs import what they need when they run, so that help comes at once.
+what a verb means that returns nothing, 1 failed, 2 wrong usage, as where something is named
+that there is not. Verbs import what they need when they run, so that help comes at once.
 """
 
 import argparse
@@ -59,7 +60,8 @@ def run_command_line(arguments: Sequence[str] | None = None) -> int:
             return options.run(options) or DONE
     except MemoryMazeError as error:
         _explain(error, options.debug)
-        return WRONG_USAGE if isinstance(error, SettingsError) else FAILED
+        wrong = isinstance(error, SettingsError) or error.is_missing
+        return WRONG_USAGE if wrong else FAILED
     except KeyboardInterrupt:
         _say("interrupted")
         return FAILED
@@ -67,6 +69,9 @@ def run_command_line(arguments: Sequence[str] | None = None) -> int:
         # The reader (such as `head`) has seen enough; spare Python's own complaint.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return FAILED
+    except (FileNotFoundError, NotADirectoryError) as error:
+        _explain(error, options.debug)
+        return WRONG_USAGE
     except (OSError, MemoryError) as error:
         _explain(error, options.debug)
         return FAILED

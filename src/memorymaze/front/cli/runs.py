@@ -76,7 +76,7 @@ def _add_leaderboard(actions: Verbs) -> None:
         description="Look over every run folder in a folder as `runs check` does, and "
         "make a static page that ranks those that can stand on a leaderboard, tracks "
         "apart, and says why the others cannot.",
-        epilog="example: memorymaze runs leaderboard submissions --out leaderboard",
+        epilog="example: memorymaze runs leaderboard runs --out leaderboard",
     )
     parser.add_argument("folder", metavar="DIR", help="folder of run folders")
     add_new_folder(parser, "leaderboard")

@@ -15,7 +15,8 @@ def add_parser(verbs: Verbs) -> None:
         description="Print one JSON line per case: its id and the eight metrics, or its "
         "id and the error that leaves them undefined. Exit code 0 when every case has "
         "its line, whether values or an error; 1 when the file cannot be read.",
-        epilog="example: memorymaze score --cases cases.json",
+        epilog="example: memorymaze score --cases "
+        "tests/runs/metrics/data/cases_synthetic.json",
     )
     parser.add_argument(
         "--cases",

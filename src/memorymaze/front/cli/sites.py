@@ -27,7 +27,7 @@ def add_parser(verbs: Verbs) -> None:
         description="List, begin, edit, make, check, draw and film site plans "
         "(docs/buildings.md), import them from other formats (docs/importing.md) and "
         "export them (docs/simulators.md).",
-        epilog="example: memorymaze sites check my_buildings/annex.geojson",
+        epilog="example: memorymaze sites draw university",
     )
     parts = parser.add_subparsers(title="verbs", metavar="VERB", required=True)
     _add_list(parts)
@@ -46,7 +46,7 @@ def _add_list(verbs: Verbs) -> None:
         "list",
         help="what sites there are, with their routes",
         description="Show name, title, size, counts and routes of sites.",
-        epilog="example: memorymaze sites list --sites my_buildings",
+        epilog="example: memorymaze sites list",
     )
     parser.add_argument(
         "--sites",
@@ -64,7 +64,7 @@ def _add_new(verbs: Verbs) -> None:
         description="Write a small plan that is right in every part: two corridors, a "
         "corner, a door, a bench and a route. Change it into your building; "
         "docs/buildings.md explains every member.",
-        epilog="example: memorymaze sites new annex --out my_buildings/annex.geojson",
+        epilog="example: memorymaze sites new annex --out annex.geojson",
     )
     parser.add_argument("name", metavar="NAME", help="what instructions will call it")
     parser.add_argument(
@@ -119,7 +119,7 @@ def _add_check(verbs: Verbs) -> None:
             "The rules are explained in docs/buildings.md. Exit code 0 when there is "
             "no error, 1 when there is one; warnings do not count."
         ),
-        epilog="example: memorymaze sites check my_buildings/annex.geojson",
+        epilog="example: memorymaze sites check university",
     )
     parser.add_argument(
         "plans",

@@ -21,7 +21,7 @@ def add_edit(verbs: Verbs) -> None:
         description="Serve a page on this machine in which a plan is drawn and edited, "
         "with its problems shown where they are (docs/buildings.md). A file that is not "
         "there begins empty, and is written when it is saved.",
-        epilog="example: memorymaze sites edit annex.geojson --picture floor_plan.png",
+        epilog="example: memorymaze sites edit annex.geojson",
         options=_add_options,
     )
 

@@ -22,8 +22,9 @@ def add_import(verbs: Verbs) -> None:
         "JSON), a ROS map (map.yaml), or a mesh of a floor (.glb). Prints what it took, "
         "what it guessed, what is missing, and what `sites check` finds "
         "(docs/importing.md). Exit code 1 where the plan has errors.",
-        epilog="example: memorymaze sites import MapData.geojson --from cabot --floor 4F "
-        '--route "Main entrance" "Room 401" --out my_buildings/annex.geojson',
+        epilog="example: memorymaze sites import "
+        "tests/world/importing/data/quay_house_MapData.geojson --from cabot --floor 2F "
+        '--route Elevator "Rope Workshop" --out quay_house.geojson',
     )
     parser.add_argument("file", metavar="FILE", type=Path, help="what to import")
     parser.add_argument(

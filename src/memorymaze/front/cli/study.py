@@ -72,7 +72,8 @@ def _add_serve(actions: Verbs) -> None:
         "experimenter at another. On this machine only, unless --host says otherwise. "
         "Videos that are missing are made meanwhile. Of the kind onsite, the experimenter's "
         "tablet comes to --host; it records over https only (--tls).",
-        epilog="example: memorymaze study serve my_study.toml --host 192.168.1.20 --tls",
+        epilog="example: memorymaze study serve my_study.toml (that `memorymaze study new` "
+        "made)",
     )
     _add_file(parser)
     parser.add_argument(
@@ -179,7 +180,7 @@ def _export(options: argparse.Namespace) -> None:
 
     study = load_study(options.file)
     if study.design.kind == "follow":
-        _export_walks(study, options)
+        _write_walks(study, options)
         return
     with open_store(study, alone=False) as store:
         done = export_study(study, store, options.out)
@@ -197,7 +198,7 @@ def _export(options: argparse.Namespace) -> None:
         )
 
 
-def _export_walks(study: "Study", options: argparse.Namespace) -> None:
+def _write_walks(study: "Study", options: argparse.Namespace) -> None:
     """Write the walks of people as runs."""
     from memorymaze.web.studies.follow.runs import export_walks
     from memorymaze.web.studies.store import open_store

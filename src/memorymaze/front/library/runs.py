@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True, repr=False)
 class Run(MeasuredRun):
-    """A run folder, read."""
+    """A run folder, read, with its tables and figures as methods."""
 
     def table(self, choice: str = "II") -> Table:
         """Return the run as one of the paper's tables, beside the published figures.

@@ -20,7 +20,7 @@ agents ask one. `answered_in` names a file of answers: the shipped texts that it
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -46,17 +46,16 @@ from memorymaze.basics.input_files import (
 from memorymaze.basics.options import as_given
 from memorymaze.basics.tables import Table
 from memorymaze.front.library.runs import evaluate
-from memorymaze.language.models.model_settings import ModelSettings
 from memorymaze.runs.episodes.agent_catalogue import choose_agent
 from memorymaze.runs.episodes.named_settings import (
-    SETTINGS,
     GivenSetting,
     given_in_file,
     model_settings,
     run_settings,
 )
 from memorymaze.runs.episodes.plan import RunPlan, settings_for
-from memorymaze.runs.episodes.settings import AgentSettings
+from memorymaze.runs.episodes.sampling import sample
+from memorymaze.runs.episodes.settings import AgentSettings, RunSettings
 from memorymaze.runs.tables import (
     COMPARISON,
     OVERVIEW,
@@ -66,7 +65,7 @@ from memorymaze.runs.tables import (
     run_tables,
 )
 from memorymaze.runs.work.worker_pool import Workforce
-from memorymaze.texts.corpus import load_corpus
+from memorymaze.texts.corpus import Corpus, load_corpus
 
 COMPARE = "compare"
 _FILES = {"replay", "record"}
@@ -88,17 +87,17 @@ class _Defaults(BaseModel):
     sites: str | None = None
 
 
-class _Run(_Defaults):
+class _RunEntry(_Defaults):
     name: Annotated[str, Field(pattern=r"^[\w-]+$")]
     agent: str
 
 
-class _Suite(BaseModel):
+class _SuiteFile(BaseModel):
     model_config = ConfigDict(strict=True, extra="forbid", frozen=True)
 
     tables: list[str] = ["II"]
     defaults: _Defaults = _Defaults()
-    runs: Annotated[list[_Run], Field(min_length=1)]
+    runs: Annotated[list[_RunEntry], Field(min_length=1)]
     absent: dict[str, str] = {}
 
 
@@ -139,7 +138,7 @@ def read_suite(path: str | Path) -> Suite:
     text = read_text(path, SettingsError)
     content = parse_toml(text, path, SettingsError)
     try:
-        read = _Suite.model_validate(content)
+        read = _SuiteFile.model_validate(content)
     except ValidationError as error:
         problems = [
             field_problem(path, text, where, _unless_unknown(where, said))
@@ -170,7 +169,9 @@ def read_suite(path: str | Path) -> Suite:
 def _unless_unknown(where: str, said: str) -> str:
     if "Extra inputs" not in said:
         return said
-    return f"expected no field of this name{did_you_mean(where, _Suite.model_fields)}"
+    return (
+        f"expected no field of this name{did_you_mean(where, _SuiteFile.model_fields)}"
+    )
 
 
 def _given(path: Path, text: str, table: str, part: _Defaults) -> list[GivenSetting]:
@@ -187,7 +188,7 @@ def _given(path: Path, text: str, table: str, part: _Defaults) -> list[GivenSett
 
 
 def _run_of_suite(
-    path: Path, run: _Run, defaults: _Defaults, given: list[GivenSetting]
+    path: Path, run: _RunEntry, defaults: _Defaults, given: list[GivenSetting]
 ) -> RunOfSuite:
     texts = run.instructions or defaults.instructions
     sites = run.sites or defaults.sites
@@ -225,42 +226,68 @@ def run_suite(
 ) -> dict[str, MemoryMazeError]:
     """Do all runs of a suite, each into its folder; return why some failed, by their names.
 
-    Settings that are given win over those of the suite.
+    Settings that are given win over those of the suite. The texts of all are read first: a
+    limit takes those that all follow before others, so that runs can be compared.
+
+    Raises:
+        MemoryMazeError: Texts, sites or settings cannot be used.
     """
+    corpora = [_corpus_of(run, out) for run in suite.runs]
+    settings = [
+        run_settings(settings_for(corpus), [*run.given, *given])
+        for run, corpus in zip(suite.runs, corpora, strict=True)
+    ]
+    samples = _sampled_alike(corpora, settings)
     failed: dict[str, MemoryMazeError] = {}
-    for run in suite.runs:
+    for run, corpus, how in zip(suite.runs, samples, settings, strict=True):
         try:
-            _evaluate(run, out, [*run.given, *given], workers, resume, on_plan)
+            agent = AgentSettings(run.agent, run.options)
+            asks = choose_agent(agent).takes_model
+            evaluate(
+                agent,
+                corpus,
+                out=out / run.name,
+                settings=how,
+                language_model=model_settings([*run.given, *given] if asks else ()),
+                workers=workers,
+                resume=resume,
+                on_plan=on_plan,
+            )
         except MemoryMazeError as error:
             failed[run.name] = error
     return failed
 
 
-def _evaluate(
-    run: RunOfSuite,
-    out: Path,
-    given: list[GivenSetting],
-    workers: int | Workforce,
-    resume: bool,
-    on_plan: Callable[[RunPlan, Path], None] | None,
-) -> None:
+def _corpus_of(run: RunOfSuite, out: Path) -> Corpus:
     files: Any = run.instructions
     if run.answered_in is not None:
         files = _texts_answered_in(run.answered_in, out)
-    corpus = load_corpus(files, sites=run.sites)
-    agent = AgentSettings(run.agent, run.options)
-    if not choose_agent(agent).takes_model:
-        given = [each for each in given if SETTINGS.get(each.name) is not ModelSettings]
-    evaluate(
-        agent,
-        corpus,
-        out=out / run.name,
-        settings=run_settings(settings_for(corpus), given),
-        language_model=model_settings(given),
-        workers=workers,
-        resume=resume,
-        on_plan=on_plan,
-    )
+    return load_corpus(files, sites=run.sites)
+
+
+def _sampled_alike(
+    corpora: Sequence[Corpus], settings: Sequence[RunSettings]
+) -> list[Corpus]:
+    """Return what limits leave of corpora, of each first what is in all of them.
+
+    Samples that are each spread over another corpus may have no text in common.
+    """
+    followed = [
+        corpus.of_split(how.split)
+        for corpus, how in zip(corpora, settings, strict=True)
+    ]
+    shared = set.intersection(*({each.id for each in some} for some in followed))
+    samples: list[Corpus] = []
+    for corpus, episodes, how in zip(corpora, followed, settings, strict=True):
+        # Those that are told twice are paired before a limit is kept.
+        if how.limit is not None and not how.second_telling:
+            chosen = sample([each for each in episodes if each.id in shared], how.limit)
+            if len(chosen) < how.limit:
+                others = [each for each in episodes if each.id not in shared]
+                chosen += sample(others, how.limit - len(chosen))
+            corpus = replace(corpus, episodes=tuple(chosen))
+        samples.append(corpus)
+    return samples
 
 
 def _texts_answered_in(answers: Path, out: Path) -> Path:

@@ -40,37 +40,37 @@ class BatchReply:
     """`file:line`."""
 
 
-class _Usage(BaseModel):
+class _ReplyUsage(BaseModel):
     prompt_tokens: TokenCount = 0
     completion_tokens: TokenCount = 0
 
 
-class _Message(BaseModel):
+class _ReplyMessage(BaseModel):
     content: str | None = None
     refusal: str | None = None
 
 
-class _Choice(BaseModel):
-    message: _Message
+class _ReplyChoice(BaseModel):
+    message: _ReplyMessage
     finish_reason: str | None = None
 
 
-class _Body(BaseModel):
+class _ReplyBody(BaseModel):
     """A chat completion."""
 
-    choices: Annotated[list[_Choice], Field(min_length=1)]
+    choices: Annotated[list[_ReplyChoice], Field(min_length=1)]
     model: str = ""
-    usage: _Usage | None = None
+    usage: _ReplyUsage | None = None
 
 
-class _Response(BaseModel):
+class _ReplyResponse(BaseModel):
     status_code: int = 200
     body: Any = None
 
 
-class _Line(BaseModel):
+class _ReplyLine(BaseModel):
     custom_id: Annotated[str, StringConstraints(min_length=1)]
-    response: _Response | None = None
+    response: _ReplyResponse | None = None
     error: Any = None
 
 
@@ -160,7 +160,7 @@ def _reply(line: str, place: str) -> BatchReply:
             "expected a reply, got a request: is this the file of replies?"
         )
     try:
-        head = _Line.model_validate(record)
+        head = _ReplyLine.model_validate(record)
     except ValidationError as error:
         raise ValueError(_first_mistake(error)) from None
     if record.get("reply") is not None:
@@ -171,10 +171,10 @@ def _reply(line: str, place: str) -> BatchReply:
     if response is None or response.status_code != 200 or head.error:
         return BatchReply(head.custom_id, None, _failure(head), place)
     try:
-        body = _Body.model_validate(response.body)
+        body = _ReplyBody.model_validate(response.body)
     except ValidationError as error:
         raise ValueError(_first_mistake(error, "response.body.")) from None
-    usage = body.usage or _Usage()
+    usage = body.usage or _ReplyUsage()
     counted = Usage(usage.prompt_tokens, usage.completion_tokens)
     first = body.choices[0]
     message = first.message
@@ -184,7 +184,7 @@ def _reply(line: str, place: str) -> BatchReply:
 
 
 def _checked(
-    head: _Line, said: Completion, wrong: str | None, place: str
+    head: _ReplyLine, said: Completion, wrong: str | None, place: str
 ) -> BatchReply:
     """Return a reply; what is no reply online is a failure here too."""
     if wrong is None:
@@ -193,7 +193,7 @@ def _checked(
     return BatchReply(head.custom_id, None, error, place)
 
 
-def _failure(line: _Line) -> str:
+def _failure(line: _ReplyLine) -> str:
     status = line.response.status_code if line.response else None
     told = line.error or (line.response.body if line.response else None)
     for name in ("error", "message"):

@@ -238,20 +238,22 @@ def safety_words(results: Sequence[EpisodeResult]) -> str:
 def result_lines(
     settings: RunDefinition, results: Sequence[EpisodeResult]
 ) -> list[str]:
-    """Say in a few lines what came of a run."""
+    """Say in a few lines what came of a run; `crash_lines` says of what it crashed."""
     summary = summarise(results, settings)
-    mean, errors = summary["mean"], summary["errors"]
-    ends = ", ".join(f"{how} {n}" for how, n in summary["stopped_by"].items())
+    mean = summary["mean"]
+    ends = Counter(map(ending_words, results))
+    told = ", ".join(f"{how} {count}" for how, count in ends.most_common())
+    errors = Counter(r.error for r in results if r.error and r.stopped_by != "crash")
     lines = [
         followed_words(settings, results),
         f"success {mean['success']:.3f}, oracle success {mean['oracle_success']:.3f}, "
         f"SPD {mean['spd']:.2f} m, CLS {mean['cls']:.3f} (means over episodes)",
-        f"stopped by: {ends}; collisions: {summary['sum']['collisions']}",
+        f"endings: {told}; collisions: {summary['sum']['collisions']}",
     ]
     if errors:
-        error, count = next(iter(errors.items()))
+        [(error, count)] = errors.most_common(1)
         lines.append(
-            f"{sum(errors.values())} ended with an error, {count} of them with: {error}"
+            f"{errors.total()} ended with an error, {count} of them with: {error}"
         )
     lines += [*sense_notes(settings, results), *track_notes(settings)]
     if settings.obstacles is not None:

@@ -42,7 +42,7 @@ from memorymaze.world.sites.plan import plan_bytes
 
 @dataclass(frozen=True, slots=True)
 class RunPlan:
-    """All that a run needs."""
+    """A run's definition, with all that it names loaded and made."""
 
     settings: RunDefinition
     episodes: tuple[Episode, ...]

@@ -268,7 +268,10 @@ class RunSettings:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RunDefinition(RunSettings):
-    """Settings with all else that determines a run's results, besides the code."""
+    """Settings that leave nothing open, with all else that determines a run's results.
+
+    All but the code, that is; where two differ, the runs are two.
+    """
 
     agent: AgentSettings
     needs: tuple[Need, ...] = ()

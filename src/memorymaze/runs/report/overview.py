@@ -27,7 +27,7 @@ NO_ERROR, ANY_ERROR = "none", "any"
 
 
 @dataclass(frozen=True, slots=True)
-class _Pair:
+class _ComparedRuns:
     """Two runs compared."""
 
     first: ReportRun
@@ -37,7 +37,7 @@ class _Pair:
 
 
 @dataclass(frozen=True, slots=True)
-class _Ending:
+class _EndingCount:
     """How many episodes of a run ended in a way."""
 
     key: str
@@ -47,7 +47,7 @@ class _Ending:
     share: float
 
 
-def compare_pair(first: ReportRun, second: ReportRun) -> _Pair:
+def compare_pair(first: ReportRun, second: ReportRun) -> _ComparedRuns:
     """Compare two runs on the episodes that both have."""
     try:
         question = replace(
@@ -58,10 +58,10 @@ def compare_pair(first: ReportRun, second: ReportRun) -> _Pair:
         table = paired_table([first, second], question)
     except RunFolderError:
         table = None
-    return _Pair(first, second, table)
+    return _ComparedRuns(first, second, table)
 
 
-def count_endings(run: ReportRun) -> list[_Ending]:
+def count_endings(run: ReportRun) -> list[_EndingCount]:
     """Count how the episodes of a run ended; what never happened is left out."""
     results = run.results
     counts = Counter(
@@ -70,7 +70,7 @@ def count_endings(run: ReportRun) -> list[_Ending]:
     )
     order = ["arrived", "stopped elsewhere", GAVE_UP, *ENDINGS.values()]
     return [
-        _Ending(key, title, count, count / len(results))
+        _EndingCount(key, title, count, count / len(results))
         for (key, title), count in sorted(
             counts.items(), key=lambda each: order.index(each[0][1])
         )
@@ -158,7 +158,7 @@ class FaultyInstruction:
 
 
 @dataclass(frozen=True, slots=True)
-class _ErrorKind:
+class _TextsWithError:
     """Instructions with a kind of error; one with several kinds is in each."""
 
     kind: str
@@ -171,7 +171,7 @@ class _ErrorKind:
 
 def error_kinds(
     runs: Sequence[ReportRun], instructions: Mapping[str, Instruction]
-) -> list[_ErrorKind]:
+) -> list[_TextsWithError]:
     """Return results by kind of error: without, with any, then the commonest first."""
     results: list[dict[str, list[EpisodeResult]]] = []
     for run in runs:
@@ -191,7 +191,7 @@ def error_kinds(
     return [_kind(kind, told, results) for kind, told in (*general, *by_size) if told]
 
 
-def error_table(runs: Sequence[ReportRun], kinds: Sequence[_ErrorKind]) -> Table:
+def error_table(runs: Sequence[ReportRun], kinds: Sequence[_TextsWithError]) -> Table:
     """Return the results by kind of error, all runs side by side."""
     columns: list[Column] = []
     rows: list[dict[str, Any]] = [
@@ -237,7 +237,7 @@ def _kind(
     kind: str,
     told: Sequence[Instruction],
     results: Sequence[Mapping[str, Sequence[EpisodeResult]]],
-) -> _ErrorKind:
+) -> _TextsWithError:
     of_runs = tuple(
         [result for each in told for result in of_run.get(each.id, ())]
         for of_run in results
@@ -252,7 +252,7 @@ def _kind(
         for failure in each.failures
         if failure.kind == kind
     ]
-    return _ErrorKind(kind, len(told), of_runs, tuple(examples))
+    return _TextsWithError(kind, len(told), of_runs, tuple(examples))
 
 
 def settings_table(record: RunRecord, run: str) -> Table:

@@ -141,17 +141,29 @@ def means_table(runs: Sequence[MeasuredRun], question: TableQuestion) -> Table:
 def paired_table(runs: Sequence[MeasuredRun], question: PairedQuestion) -> Table:
     """Return the differences of runs to the first one, over the episodes that both have.
 
-    What is unfair about the comparison stands in the notes.
+    What is unfair about the comparison stands in the notes, and which run has no episode
+    in common with the first.
 
     Raises:
-        RunFolderError: A run has no episode in common with the first one.
+        RunFolderError: None has an episode in common with the first one.
     """
     first, *others = runs
     letter_of_first, letter = question.letters
     rows: list[Row] = []
     notes = [_note(letter_of_first, first)]
-    for other in others:
-        pairs = paired_results(first, other)
+    shared = [_paired_results(first, other) for other in others]
+    if not any(shared):
+        raise RunFolderError(
+            f"{' and '.join(run.name for run in runs)}: expected runs over the same "
+            "instructions, got no episode that the first has in common with another"
+        )
+    for other, pairs in zip(others, shared, strict=True):
+        if not pairs:
+            notes.append(
+                f"{_note(letter, other)}\nNOTHING IN COMMON with {letter_of_first}, and so "
+                "no row."
+            )
+            continue
         near = [run.record.settings.success_distance for run in (first, other)]
         quantities = list(zip(*map(question.quantities, near), strict=True))
         for group in question.groups((first, other), pairs):
@@ -176,19 +188,6 @@ def paired_table(runs: Sequence[MeasuredRun], question: PairedQuestion) -> Table
         question.name,
     )
     return _with_interval_notes(table)
-
-
-def paired_results(first: MeasuredRun, second: MeasuredRun) -> list[Pair]:
-    """Return the results of the episodes that both runs have."""
-    there = {result.episode_id: result for result in first.results}
-    here = {result.episode_id: result for result in second.results}
-    shared = sorted(there.keys() & here.keys())
-    if not shared:
-        raise RunFolderError(
-            f"{first.name} and {second.name}: expected runs over the same instructions, "
-            "got no episode that both have"
-        )
-    return [(there[key], here[key]) for key in shared]
 
 
 def paired_fields(
@@ -274,6 +273,13 @@ def _with_interval_notes(table: Table) -> Table:
         if any(cell.endswith(words) for cell in cells)
     ]
     return replace(table, notes=(*table.notes, *found))
+
+
+def _paired_results(first: MeasuredRun, second: MeasuredRun) -> list[Pair]:
+    """Return the results of the episodes that both runs have."""
+    there = {result.episode_id: result for result in first.results}
+    here = {result.episode_id: result for result in second.results}
+    return [(there[key], here[key]) for key in sorted(there.keys() & here.keys())]
 
 
 def _note(letter: str, run: MeasuredRun) -> str:

@@ -44,7 +44,7 @@ class TablePlace(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class MeasuredRun:
-    """A run that a table shows."""
+    """A run folder, read: its record, and the results that tables show."""
 
     folder: Path
     label: str

@@ -132,7 +132,8 @@ def read_run(path: str | Path) -> tuple[RunRecord, list[EpisodeResult]]:
             there = "a folder without run.json"
         raise RunFolderError(
             f"{path}: expected a run folder, as `memorymaze evaluate --out` makes "
-            f"them, got {there}"
+            f"them, got {there}",
+            is_missing=not path.exists(),
         )
     record = _read_record(path)
     results, _ = _read_results(path)

@@ -45,7 +45,7 @@ class CheckReport:
 def check_instruction_files(
     paths: Sequence[str | Path], sites: Mapping[str, Site]
 ) -> CheckReport:
-    """Check files, also against the sites they speak of; never raises for content.
+    """Check files, also against the sites they speak of; raises for missing ones alone.
 
     Errors: what is not of the format, sites and routes that do not exist, ids that
     repeat, an instruction that is there twice, and texts whose encoding was damaged.
@@ -58,6 +58,8 @@ def check_instruction_files(
         try:
             read, wrong = read_instruction_file(path)
         except InstructionFileError as error:
+            if error.is_missing:
+                raise
             place, _, message = str(error).partition(": ")
             problems.append(InstructionProblem(place, message))
         else:

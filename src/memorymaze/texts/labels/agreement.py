@@ -134,7 +134,7 @@ def agreement(
     person = np.array([people.index(each.participant) for each in shared])
     weights = rng.multinomial(len(people), np.full(len(people), 1 / len(people)), DRAWS)
     return [
-        _agreement(
+        _agreement_on(
             question,
             [
                 [read(labels[name, each.id], each, sites) for name in annotators]
@@ -146,7 +146,7 @@ def agreement(
     ]
 
 
-def _agreement(
+def _agreement_on(
     question: str, given: Sequence[Sequence[str]], weights: NDArray[np.int64]
 ) -> Agreement:
     """Compare answers, (items, annotators); `weights` are draws, (draws, items)."""

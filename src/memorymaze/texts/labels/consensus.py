@@ -36,10 +36,10 @@ def consensus(labels: Mapping[tuple[str, str], Label]) -> list[Consensus]:
     by_instruction: dict[str, list[Label]] = {}
     for label in labels.values():
         by_instruction.setdefault(label.instruction, []).append(label)
-    return [_consensus(name, given) for name, given in by_instruction.items()]
+    return [_consensus_on(name, given) for name, given in by_instruction.items()]
 
 
-def _consensus(instruction: str, given: Sequence[Label]) -> Consensus:
+def _consensus_on(instruction: str, given: Sequence[Label]) -> Consensus:
     undecided: list[str] = []
     way = _majority([each.way for each in given])
     if way is None:

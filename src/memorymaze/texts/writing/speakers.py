@@ -117,7 +117,7 @@ def draw_speaker(rng: np.random.Generator) -> Speaker:
 
 def tell_plan(plan: StepPlan, speaker: Speaker, rng: np.random.Generator) -> RoutePlan:
     """Return what a speaker says of a way; the turns and their cues stay as they are."""
-    teller = _Teller(speaker, rng)
+    teller = _PlanTeller(speaker, rng)
     true = plan.said
     steps = [step for step in plan.turns if step.told]
     first = len(true.legs) - len(steps)
@@ -128,7 +128,7 @@ def tell_plan(plan: StepPlan, speaker: Speaker, rng: np.random.Generator) -> Rou
     return RoutePlan(legs=tuple(legs), arrival=teller.arrival(plan))
 
 
-class _Teller:
+class _PlanTeller:
     def __init__(self, speaker: Speaker, rng: np.random.Generator) -> None:
         self._speaker = speaker
         self._rng = rng

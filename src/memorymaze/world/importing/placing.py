@@ -40,7 +40,7 @@ AROUND = 6.0
 
 
 @dataclass(frozen=True)
-class _Wall:
+class _WallNearby:
     """A straight piece of the floor's boundary; the floor lies to its left."""
 
     line: LineString
@@ -210,14 +210,14 @@ class _Placer:
                 more={"source": thing.source},
             )
 
-    def _walls_near(self, place: XY, reach: float, least: float) -> list[_Wall]:
+    def _walls_near(self, place: XY, reach: float, least: float) -> list[_WallNearby]:
         """Return the walls of at least a length, the nearest first."""
         spot = Point(place)
         near = self._walls.geometries[
             self._walls.query(spot, predicate="dwithin", distance=reach)
         ]
         found = [
-            _Wall(line, line.distance(spot), line.project(spot))
+            _WallNearby(line, line.distance(spot), line.project(spot))
             for line in near
             if line.length >= least
         ]

@@ -24,7 +24,7 @@ QUARTER = math.pi / 2
 
 
 @dataclass(frozen=True)
-class _Wall:
+class _StraightWall:
     """A straight line along a stretch of an outline."""
 
     middle: tuple[float, float]
@@ -52,7 +52,7 @@ def straight_walls(outline: Polygon, tolerance: float) -> Polygon:
     return max(shapely.get_parts(floor).tolist(), key=lambda part: part.area)
 
 
-def _walls(ring: LinearRing, tolerance: float) -> list[_Wall]:
+def _walls(ring: LinearRing, tolerance: float) -> list[_StraightWall]:
     """Return a ring in straight stretches."""
     points = np.asarray(ring.coords)[:-1]
     # What is farthest from the middle is a corner.
@@ -68,7 +68,7 @@ def _walls(ring: LinearRing, tolerance: float) -> list[_Wall]:
     return [_fitted(points[a : b + 1], tolerance) for a, b in pairwise(marks)]
 
 
-def _fitted(points: FloatArray, tolerance: float) -> _Wall:
+def _fitted(points: FloatArray, tolerance: float) -> _StraightWall:
     """Return the line along points, least affected by the corners at their ends."""
     first, last = points[0], points[-1]
     length = math.dist(first, last)
@@ -83,10 +83,10 @@ def _fitted(points: FloatArray, tolerance: float) -> _Wall:
     if direction @ (last - first) < 0:
         direction = -direction
     heading = math.atan2(direction[1], direction[0])
-    return _Wall(tuple(middle.tolist()), heading, length, tuple(last.tolist()))
+    return _StraightWall(tuple(middle.tolist()), heading, length, tuple(last.tolist()))
 
 
-def _directions(walls: Sequence[_Wall]) -> list[float]:
+def _directions(walls: Sequence[_StraightWall]) -> list[float]:
     """Return the building's directions, modulo right angles, the commonest first."""
     long = [wall for wall in walls if wall.length >= LONG]
     headings = np.array([wall.heading for wall in long])
@@ -110,7 +110,7 @@ def _off(heading: float, direction: float) -> float:
     return abs(math.remainder(heading - direction, QUARTER))
 
 
-def _turned(wall: _Wall, directions: Sequence[float]) -> _Wall:
+def _turned(wall: _StraightWall, directions: Sequence[float]) -> _StraightWall:
     """Return a wall along the nearest of the directions, if one is near."""
     nearest = min(directions, key=lambda each: _off(wall.heading, each), default=None)
     # A short wall's heading is known less well.
@@ -121,14 +121,14 @@ def _turned(wall: _Wall, directions: Sequence[float]) -> _Wall:
     return replace(wall, heading=heading, is_along=True)
 
 
-def _joined(walls: list[_Wall], tolerance: float) -> list[_Wall]:
+def _joined(walls: list[_StraightWall], tolerance: float) -> list[_StraightWall]:
     """Return walls, those in one line made one, without bits between them."""
     settled = 0
     while settled < 2:
         before = len(walls)
         # Begun at another wall each time, as the first and the last are neighbours.
         walls = walls[before // 2 :] + walls[: before // 2]
-        drawn: list[_Wall] = []
+        drawn: list[_StraightWall] = []
         for wall in walls:
             drawn.append(wall)
             while (fewer := _fewer(drawn[-3:], tolerance)) is not None:
@@ -138,7 +138,9 @@ def _joined(walls: list[_Wall], tolerance: float) -> list[_Wall]:
     return walls
 
 
-def _fewer(walls: Sequence[_Wall], tolerance: float) -> list[_Wall] | None:
+def _fewer(
+    walls: Sequence[_StraightWall], tolerance: float
+) -> list[_StraightWall] | None:
     """Return up to three neighbours as fewer walls, where that changes little."""
     for index, (wall, after) in enumerate(pairwise(walls)):
         one = _one_wall(wall, after, tolerance)
@@ -156,7 +158,9 @@ def _fewer(walls: Sequence[_Wall], tolerance: float) -> list[_Wall] | None:
     return None
 
 
-def _one_wall(wall: _Wall, after: _Wall, tolerance: float) -> _Wall | None:
+def _one_wall(
+    wall: _StraightWall, after: _StraightWall, tolerance: float
+) -> _StraightWall | None:
     """Return two walls as one where they lie in one line."""
     bend = math.remainder(after.heading - wall.heading, 2 * math.pi)
     if abs(bend) > (1e-6 if wall.is_along and after.is_along else SAME_DIRECTION / 2):
@@ -170,10 +174,12 @@ def _one_wall(wall: _Wall, after: _Wall, tolerance: float) -> _Wall | None:
         return None
     x, y = np.add(wall.middle, share * gap)
     along = wall.is_along or after.is_along
-    return _Wall((float(x), float(y)), heading, whole, after.end, along)
+    return _StraightWall((float(x), float(y)), heading, whole, after.end, along)
 
 
-def _ring(walls: Sequence[_Wall], tolerance: float) -> list[tuple[float, float]]:
+def _ring(
+    walls: Sequence[_StraightWall], tolerance: float
+) -> list[tuple[float, float]]:
     """Return the corners between walls; two where a wall steps to the side."""
     corners: list[tuple[float, float]] = []
     for wall, after in zip(walls, [*walls[1:], walls[0]], strict=True):
@@ -182,7 +188,9 @@ def _ring(walls: Sequence[_Wall], tolerance: float) -> list[tuple[float, float]]
     return corners
 
 
-def _crossing(wall: _Wall, other: _Wall, slack: float) -> tuple[float, float] | None:
+def _crossing(
+    wall: _StraightWall, other: _StraightWall, slack: float
+) -> tuple[float, float] | None:
     """Return where two walls' lines cross, if that is near the end of the first."""
     bend = math.sin(other.heading - wall.heading)
     if abs(bend) < math.sin(SHARP):
@@ -193,7 +201,9 @@ def _crossing(wall: _Wall, other: _Wall, slack: float) -> tuple[float, float] | 
     return place if math.dist(place, wall.end) <= slack else None
 
 
-def _foot(wall: _Wall, place: tuple[float, float] | None = None) -> tuple[float, float]:
+def _foot(
+    wall: _StraightWall, place: tuple[float, float] | None = None
+) -> tuple[float, float]:
     """Return the point of a wall's line nearest to a place, or to its end."""
     gap = np.subtract(place or wall.end, wall.middle)
     along = float(gap[0] * math.cos(wall.heading) + gap[1] * math.sin(wall.heading))

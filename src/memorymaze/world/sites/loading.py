@@ -103,7 +103,8 @@ def plan_paths(folder: Path) -> list[Path]:
     if not folder.is_dir():
         raise SitePlanError(
             f"{folder}: expected a folder with site plans (*.geojson), got "
-            f"{'a file' if folder.exists() else 'none: no such folder'}"
+            f"{'a file' if folder.exists() else 'none: no such folder'}",
+            is_missing=not folder.exists(),
         )
     paths = sorted(folder.glob("*.geojson"))
     if not paths:

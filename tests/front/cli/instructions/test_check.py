@@ -27,14 +27,15 @@ def test_every_problem_of_every_file_is_listed(
     lines = [good | {"id": "x", "study": "lab"}, good | {"id": "y", "site": "nowhere"}]
     lines += [good, good | {"id": "z", "text": "To the end.", "mood": "glad"}]
     bad.write_text("\n".join(json.dumps(line) for line in lines), encoding="utf-8")
-    missing = tmp_path / "missing.jsonl"
-    assert memorymaze("instructions", "check", missing, *sites).err == (
+    other = tmp_path / "other.jsonl"
+    other.write_text("", encoding="utf-8")
+    assert memorymaze("instructions", "check", other, *sites).err == (
         "0 good instructions, 1 problem\n"
     )
-    said = memorymaze("instructions", "check", file, bad, missing, *sites)
+    said = memorymaze("instructions", "check", file, bad, other, *sites)
     assert said.code == 1
     errors = [line for line in said.out.splitlines() if " note: " not in line]
     places = [line.partition(" ")[0] for line in errors]
-    assert places == [f"{bad}:1:", f"{missing}:", f"{bad}:3:", f"{bad}:2:"]
+    assert places == [f"{bad}:1:", f"{other}:", f"{bad}:3:", f"{bad}:2:"]
     assert "13 good instructions, 4 problems, " in said.err
     assert f"note: {bad}:4: field 'mood' is not part of the format" in said.err

@@ -69,7 +69,7 @@ def test_a_sheet_is_written_first_and_read_back_then(
             ["label", "--annotator", " ", "--csv", "s"], 2, "expected a name", id="name"
         ),
         pytest.param(["label", "--annotator", "a"], 2, "--csv", id="no sheet"),
-        pytest.param(["agreement"], 1, "none.jsonl: cannot be read", id="no labels"),
+        pytest.param(["agreement"], 2, "none.jsonl: cannot be read", id="no labels"),
     ],
 )
 def test_wrong_usage_of_labelling_is_told(

@@ -18,7 +18,7 @@ def add_parser(actions: Verbs) -> None:
         "majority. With --out the consensus is merged into the instructions; what has "
         "no majority stays as it was.",
         epilog="example: memorymaze instructions agreement ada.jsonl bob.jsonl "
-        "--instructions mine.jsonl --out agreed.jsonl",
+        "--out agreed.jsonl (files that `memorymaze instructions label` wrote)",
     )
     parser.add_argument("labels", metavar="LABELS", nargs="+", help="files of labels")
     parser.add_argument(

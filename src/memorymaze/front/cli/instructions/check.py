@@ -16,7 +16,8 @@ def add_parser(actions: Verbs) -> None:
         "instructions that are there twice, damaged encodings; exit code 1 where there "
         "is something. Lines marked as notes, such as equal texts, or labels that name "
         "no place of the plan, may be meant and change no exit code.",
-        epilog="example: memorymaze instructions check mine.jsonl --sites plans",
+        epilog="example: memorymaze instructions check "
+        "src/memorymaze/texts/corpus/data/role_played.jsonl",
     )
     parser.add_argument("files", metavar="FILE", nargs="+", help="JSONL or CSV files")
     add_sites_option(parser)

@@ -38,7 +38,7 @@ def add_parser(actions: Verbs) -> None:
         description="Make an instruction file from files in another format. Scenes must "
         f"be sites, and paths routes of their plans. {formats}.",
         epilog="example: memorymaze instructions import vln_ce/test/test.json.gz "
-        "--format vln_ce --out mine.jsonl",
+        "--format vln_ce --out mine.jsonl (what `memorymaze instructions export` made)",
     )
     inward.add_argument("files", metavar="FILE", nargs="+", help="files in the format")
     inward.add_argument(

@@ -16,7 +16,8 @@ def add_parser(actions: Verbs) -> None:
         description="Write a sheet that asks which way each text describes and what is "
         "wrong in it, without showing the labels that the file has. Once the sheet is "
         "there, the same command reads back what is filled in (docs/studies.md).",
-        epilog="example: memorymaze instructions label mine.jsonl --annotator ada "
+        epilog="example: memorymaze instructions label "
+        "src/memorymaze/texts/corpus/data/role_played.jsonl --annotator ada "
         "--csv ada.csv --out ada.jsonl",
     )
     parser.add_argument("file", metavar="FILE", help="instruction file (JSONL)")

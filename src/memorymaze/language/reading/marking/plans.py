@@ -107,10 +107,10 @@ class _Part:
 
 def plan_of_marks(text: str, marks: Sequence[Mark]) -> RoutePlan:
     """Return the plan that the marks of a text make, in the order of the walk."""
-    return _Assembly(text, marks).plan()
+    return _MarkedLegs(text, marks).plan()
 
 
-class _Assembly:
+class _MarkedLegs:
     """Puts together what is said of each leg."""
 
     def __init__(self, text: str, marks: Sequence[Mark]) -> None:
