@@ -82,8 +82,6 @@ STEP = 0.1
 """Metres between the places of a way that are asked for turning points."""
 SHORTEST = 0.5
 """Metres; a way that ends sooner leads nowhere."""
-LEAST_WEIGHT = 1e-3
-"""Of alignments followed; on whole maps there are too many of those the agent follows."""
 LIGHT = 1e-4
 """Share below which an ending is not asked whether its place is the likeliest."""
 
@@ -354,7 +352,7 @@ def follow(
 ) -> Followed:
     """Weigh all that a plan may mean on a map."""
     things = Things(plan, floor, model)
-    belief = Belief(plan, floor, model, things, LEAST_WEIGHT)
+    belief = Belief(plan, floor, model, things)
     belief.update(starts)
     arrivals = Arrivals(plan, floor, model, things)
     arrivals.refuted |= pointing_signs

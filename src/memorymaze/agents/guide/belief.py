@@ -36,7 +36,7 @@ from memorymaze.agents.walking.outlooks import faces, length_of
 from memorymaze.basics.geometry.pose import wrap_angle
 from memorymaze.language.plans import RoutePlan
 
-LEAST_WEIGHT = 1e-4
+LEAST_WEIGHT = 1e-3
 """Share of the heaviest alignment below which one is not followed."""
 LIGHTEST, ENOUGH = 1e-9, 100.0
 """The least such share, and how many times that has to be left of all."""
@@ -58,9 +58,6 @@ class Belief:
     floor: FloorMap
     model: Likelihoods
     things: Things
-    least_weight: float = LEAST_WEIGHT
-    """Share of the heaviest alignment below which one is dropped; benches set it."""
-
     telling: int = 0
     """Number of the telling that the plan was read in."""
     pointers: dict[int, list[float]] = field(default_factory=dict[int, list[float]])
@@ -82,7 +79,7 @@ class Belief:
         Where there are too many, those that weigh least are left out; where those that
         weighed most have come to nothing, lighter ones are followed.
         """
-        least = self.least_weight
+        least = LEAST_WEIGHT
         self.start = starts[0].at
         self.things.forget()
         while self._sum_up(starts, least):
