@@ -181,7 +181,7 @@ class WheeledBase:
     @property
     def pose(self) -> Pose:
         """Where the robot is."""
-        x, y, _, w, i, j, k = self._qpos[:7].tolist()
+        x, y, _, w, i, j, k, *_ = self._qpos.tolist()
         return Pose(x, y, math.atan2(2 * (w * k + i * j), 1 - 2 * (j * j + k * k)))
 
     def drive(self, speed: float, turn_rate: float, steps: int) -> None:
@@ -236,6 +236,8 @@ class WheeledBase:
 
     def touched_geoms(self) -> list[int]:
         """Return the geoms, other than the floor, that the robot touches now."""
+        if self._moving is not self._among_walls[1]:
+            return []
         pairs = self._moving.contact.geom.tolist()
         return [
             self._geoms[first if self._groups[second] == ROBOT_GROUP else second]

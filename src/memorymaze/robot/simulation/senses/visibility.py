@@ -43,6 +43,8 @@ TOUCH = 0.03
 LARGEST_MOVABLE = 2.0
 """Metres from the middle of a thing or person to its farthest part, at most."""
 SIGNS = np.array([-1.0, 1.0])[:, np.newaxis, np.newaxis]
+NOT_THE_ROBOT = np.array([group != ROBOT_GROUP for group in range(6)], dtype=np.uint8)
+"""By geom group, whether rays meet it."""
 NEAREST = 0.05
 """Depth in metres below which nothing is seen."""
 
@@ -120,9 +122,7 @@ class RayCamera:
             cut=written.fills_it and _is_cut(seen.thing.box),
         )
 
-    def _things_seen(
-        self, range_limit: float, *, written: bool = False
-    ) -> list[_Seen]:
+    def _things_seen(self, range_limit: float, *, written: bool = False) -> list[_Seen]:
         """Return the things seen within the limit, or those that words are written on."""
         asked = range_limit, written
         if asked not in self._answers:
@@ -161,7 +161,7 @@ class RayCamera:
         turned_to_us = facing > 0
         numbers, owners = numbers[turned_to_us], owners[turned_to_us]
         offsets, facing = offsets[turned_to_us], facing[turned_to_us]
-        distances = np.linalg.norm(offsets, axis=1)
+        distances = np.sqrt(_squares(offsets))
         # The solid angle of each tile; together they tell how much of a thing is seen.
         angles = targets.areas[numbers] * facing / distances**3
         whole = np.bincount(owners, angles, len(near))
@@ -226,14 +226,12 @@ class RayCamera:
         hit_geoms = np.full(count, -1, dtype=np.int32)
         hit_distances = np.full(count, -1.0)
         if count:
-            groups = np.ones(6, dtype=np.uint8)
-            groups[ROBOT_GROUP] = 0
             mujoco.mj_multiRay(
                 self._scene.model,
                 self._data,
                 self._eye,
                 (offsets / distances[:, np.newaxis]).ravel(),
-                groups,
+                NOT_THE_ROBOT,
                 True,
                 -1,
                 hit_geoms,
@@ -271,7 +269,7 @@ class RayCamera:
         top, bottom = _within(v, float(HEIGHT))
         if right - left < LEAST_PIXELS or bottom - top < LEAST_PIXELS:
             return None
-        nearest_corner = np.square(corners).sum(axis=1).min()
+        nearest_corner = float(_squares(corners).min())
         x, y, _ = targets.centres[target].tolist()
         thing = VisibleObject(
             description=targets.descriptions[target],
@@ -283,6 +281,12 @@ class RayCamera:
             visible_fraction=fraction,
         )
         return _Seen(int(targets.geoms[target]), thing)
+
+
+def _squares(vectors: FloatArray) -> FloatArray:
+    """Return the squared lengths of vectors (N, 3); a sum along rows takes longer."""
+    x, y, z = vectors.T
+    return x * x + y * y + z * z
 
 
 def _within(pixels: FloatArray, most: float) -> tuple[float, float]:
