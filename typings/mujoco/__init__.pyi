@@ -194,6 +194,7 @@ class _Contacts:
 class MjData:
     qpos: _Floats
     qvel: _Floats
+    qacc_warmstart: _Floats
     ctrl: _Floats
     ncon: int
     contact: _Contacts

@@ -311,13 +311,22 @@ def kind_distance(general: str, special: str) -> int | None:
     """
     if general == special:
         return 0
+    levels = _levels(general)
+    meant = levels[0] if levels else frozenset[int]()
+    return next(
+        (steps for steps, level in enumerate(_levels(special)) if level & meant), None
+    )
+
+
+@lru_cache(maxsize=50_000)
+def _levels(word: str) -> tuple[frozenset[int], ...]:
+    """Return what a word means, what that is a kind of, what this is, up to the top."""
     lexicon = _lexicon()
-    upper, lower = lexicon.senses(general), lexicon.senses(special)
-    level, seen, steps = set(lower), set(lower), 0
-    while level and upper:
-        if level & upper:
-            return steps
-        level = {kind for sense in level for kind in lexicon.kinds(sense)} - seen
+    level = seen = lexicon.senses(word)
+    levels: list[frozenset[int]] = []
+    while level:
+        levels.append(level)
+        above = {kind for sense in level for kind in lexicon.kinds(sense)}
+        level = frozenset(above - seen)
         seen |= level
-        steps += 1
-    return None
+    return tuple(levels)

@@ -46,6 +46,28 @@ def test_a_sign_is_read_up_to_six_metres(reader_at):
     assert reader_at(-0.5).read_signs() == []
 
 
+def test_what_is_read_does_not_depend_on_what_was_looked_for_before(reader_at):
+    far, near = reader_at(0.5), reader_at(3)
+
+    assert far.detect_from_RGB_image("box") == []
+    assert len(far.read_signs()) == 1
+    (found,) = near.detect_from_RGB_image("box")
+    assert [sign.distance for sign in near.read_signs()] == [found.distance]
+
+
+def test_things_without_words_are_found_after_signs_were_read(plans):
+    plain, board = (
+        plans.thing(name, 3, y, size=(0.6, 0.6, 1.0), degrees=180.0)
+        for name, y in (("plain", -1), ("board", 1))
+    )
+    object.__setattr__(board, "text", "Library")
+    site = plans.site(plans.corridor("c", -4, -2, 8, 2), plain, board)
+    robot = SimulatedRobot(build_scene(site), Pose(0, 0, 0))
+
+    assert [sign.text for sign in robot.read_signs()] == ["Library"]
+    assert len(robot.detect_from_RGB_image("box")) == 2
+
+
 def test_small_print_is_read_from_near_only(reader_at):
     words = "these are very many words for a board as small as this one"
 

@@ -175,6 +175,7 @@ def _state_score(asked: str, thing: ObjectDescription) -> float:
     return 1.0 if thing.state == asked else 0.0
 
 
+@lru_cache(maxsize=50_000)
 def points_elsewhere(inscription: str) -> bool:
     """Tell a sign that says where a place is from one that says it is here.
 

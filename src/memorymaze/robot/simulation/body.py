@@ -65,7 +65,10 @@ def base_for(
     if settings.motion == "kinematic":
         return KinematicBase(scene.model, start, settings, rng, scene.touchables)
     tangible = scene.tangible, scene.tangible_geoms
-    return WheeledBase(scene.model, start, settings, rng, tangible)
+    open_floor = None
+    if scene.open_floor is not None:
+        open_floor = scene.open_floor, scene.touchables.room
+    return WheeledBase(scene.model, start, settings, rng, tangible, open_floor)
 
 
 class BodyInSite(ABC):

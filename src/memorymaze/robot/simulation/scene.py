@@ -53,6 +53,9 @@ class Scene:
     """The model without what nothing touches: it moves the robot alike, but faster."""
     tangible_geoms: tuple[int, ...]
     """Geom ids in `model` of the geoms of `tangible`."""
+    open_floor: mujoco.MjModel | None
+    """The model of floor and robot alone: it moves one that is far from all else alike.
+    None where things and people may come near."""
     objects: tuple[SceneObject, ...]
     """What each geom is, by geom id."""
     obstacles: ObstacleSettings | None = None
@@ -177,10 +180,11 @@ def build_scene(site: Site, obstacles: ObstacleSettings | None = None) -> Scene:
         for i, each in enumerate(objects)
     ):
         raise RuntimeError("the physics engine reordered the scene's geoms")
-    tangible, ids = model, tuple(range(model.ngeom))
+    tangible, ids, open_floor = model, tuple(range(model.ngeom)), None
     if not movables:
         tangible, ids = _tangible(spec, model)
-    return Scene(site, model, tangible, ids, tuple(objects), obstacles)
+        open_floor = _open_floor(spec)
+    return Scene(site, model, tangible, ids, open_floor, tuple(objects), obstacles)
 
 
 def _tangible(
@@ -198,6 +202,17 @@ def _tangible(
     # What stands still is then not placed anew at each step; robots never sleep.
     tangible.opt.enableflags |= mujoco.mjtEnableBit.mjENBL_SLEEP
     return tangible, tuple(np.flatnonzero(stays).tolist())
+
+
+# Any: the stubs do not know the lists.
+def _open_floor(spec: Any) -> mujoco.MjModel:
+    """Leave everything out of a spec but the floor and the robot."""
+    for geom in list(spec.worldbody.geoms)[1:]:
+        spec.delete(geom)
+    model = spec.compile()
+    # The robot's contacts are one island; it need not be looked for.
+    model.opt.disableflags |= mujoco.mjtDisableBit.mjDSBL_ISLAND
+    return model
 
 
 def _movables(site: Site, obstacles: ObstacleSettings) -> list[Movable]:

@@ -5,10 +5,11 @@ its upright shell, a cylinder of 0.25 m radius, is what bumps into walls and obs
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
+from memorymaze.basics.geometry.points import XY
 from memorymaze.basics.geometry.pose import Pose
 from memorymaze.basics.physics_engine import mujoco
 from memorymaze.basics.robot_size import CAMERA_HEIGHT, ROBOT_RADIUS
@@ -23,6 +24,11 @@ WHEEL_OFFSET = 0.2
 CASTER_RADIUS = 0.04
 CASTER_OFFSET = 0.19
 SHELL_BOTTOM, SHELL_TOP = 0.07, 1.0
+MOST_ACCELERATION = 10.0
+"""Metres per second squared; its wheels, whose friction is 1, hold the floor no better."""
+KEPT_ROOM = 0.2
+"""Metres by which boxes may be nearer than the walls on the plan that they stand for,
+and by which the robot may lean, at most."""
 CAMERA_FIELD_OF_VIEW = 2 * math.atan(math.tan(math.pi / 4) * 480 / 640)
 
 
@@ -134,24 +140,30 @@ class WheeledBase:
         settings: SimulationSettings,
         rng: np.random.Generator,
         tangible: tuple[mujoco.MjModel, Sequence[int]] | None = None,
+        open_floor: tuple[mujoco.MjModel, Callable[[XY], float]] | None = None,
     ) -> None:
         """Put the robot at rest on its start pose.
 
         `tangible` is the model without what nothing touches, and which geoms are left;
-        it moves the robot in the place of the whole one.
+        it moves the robot in the place of the whole one. `open_floor` is the model of
+        robot and floor alone, and how far the robot may go from a place, whichever way,
+        touching nothing else; it moves one that stays within that.
         """
         self.data = mujoco.MjData(model)
         """State of the physics; read only."""
         moving, geoms = tangible or (model, range(model.ngeom))
-        self._moving_model = moving
-        self._moving = self.data if moving is model else mujoco.MjData(moving)
+        data = self.data if moving is model else mujoco.MjData(moving)
+        self._among_walls = moving, data
+        self._open_floor = None
+        if open_floor is not None:
+            self._open_floor = open_floor[0], mujoco.MjData(open_floor[0])
+            self._room_at = open_floor[1]
+        self._room = 0.0
         self._geoms = geoms
         self._model = model
         self._groups = moving.geom_group.tolist()
         self._errors = WheelErrors(settings.wheel_noise, rng)
-        self._qpos = self._moving.qpos
-        self._qvel = self._moving.qvel
-        self._ctrl = self._moving.ctrl
+        self._be_moved_by(*self._among_walls)
         address = int(model.jnt_qposadr[model.body("robot").jntadr[0]])
         if address != 0:
             raise RuntimeError("the robot's free joint is expected to come first")
@@ -169,7 +181,7 @@ class WheeledBase:
     @property
     def pose(self) -> Pose:
         """Where the robot is."""
-        x, y, _, w, i, j, k = self._qpos[:7].tolist()
+        x, y, _, w, i, j, k, *_ = self._qpos.tolist()
         return Pose(x, y, math.atan2(2 * (w * k + i * j), 1 - 2 * (j * j + k * k)))
 
     def drive(self, speed: float, turn_rate: float, steps: int) -> None:
@@ -178,11 +190,35 @@ class WheeledBase:
         Metres per second, negative backs up; radians per second, left positive.
         """
         left, right = self._errors.wheel_speeds(speed, turn_rate)
+        if self._open_floor is not None:
+            self._leave_out_what_is_far(self._open_floor, steps * TIMESTEP)
         self._ctrl[0] = left / WHEEL_RADIUS
         self._ctrl[1] = right / WHEEL_RADIUS
         mujoco.mj_step(self._moving_model, self._moving, nstep=steps)
         self._steps += steps
         self._show()
+
+    def _leave_out_what_is_far(
+        self, open_floor: tuple[mujoco.MjModel, mujoco.MjData], seconds: float
+    ) -> None:
+        """Have the model of the open floor move a robot that comes near to nothing else.
+
+        All that the motion depends on goes along, so that it stays the same bit by bit.
+        """
+        reach = (self.speed + MOST_ACCELERATION * seconds / 2) * seconds
+        if reach > self._room:
+            self._room = self._room_at(self.pose[:2]) - KEPT_ROOM
+        model, data = open_floor if reach <= self._room else self._among_walls
+        self._room -= reach
+        if data is not self._moving:
+            before = self._moving
+            self._be_moved_by(model, data)
+            data.qpos[:], data.qvel[:] = before.qpos, before.qvel
+            data.qacc_warmstart[:] = before.qacc_warmstart
+
+    def _be_moved_by(self, model: mujoco.MjModel, data: mujoco.MjData) -> None:
+        self._moving_model, self._moving = model, data
+        self._qpos, self._qvel, self._ctrl = data.qpos, data.qvel, data.ctrl
 
     @property
     def speed(self) -> float:
@@ -200,6 +236,8 @@ class WheeledBase:
 
     def touched_geoms(self) -> list[int]:
         """Return the geoms, other than the floor, that the robot touches now."""
+        if self._moving is not self._among_walls[1]:
+            return []
         pairs = self._moving.contact.geom.tolist()
         return [
             self._geoms[first if self._groups[second] == ROBOT_GROUP else second]

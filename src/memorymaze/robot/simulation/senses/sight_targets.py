@@ -64,6 +64,8 @@ class SightTargets:
     """Longer side on the plan, metres, (n,)."""
     radii: FloatArray
     """Metres from the centre to a corner, (n,)."""
+    written: NDArray[np.bool_]
+    """Whether there are words on it, (n,)."""
     first_points: NDArray[np.int64]
     """Number of each one's first point, then N; (n + 1,)."""
     points: FloatArray
@@ -146,12 +148,14 @@ def _targets(
 ) -> SightTargets:
     tiles = [_NO_TILES, *tiles_of]
     sizes = np.array([_half_size(scene, geom) for geom in geoms]).reshape(-1, 3)
+    descriptions = tuple(_describe(scene, geom) for geom in geoms)
     return SightTargets(
-        tuple(_describe(scene, geom) for geom in geoms),
+        descriptions,
         np.array(geoms, dtype=np.int32),
         centres,
         2 * sizes[:, :2].max(axis=1, initial=0.0),
         np.sqrt(np.square(sizes).sum(axis=1)),
+        np.array([bool(each.text) for each in descriptions], dtype=np.bool_),
         np.cumsum([len(each.points) for each in tiles], dtype=np.int64),
         *(np.concatenate(column) for column in zip(*tiles, strict=True)),
     )

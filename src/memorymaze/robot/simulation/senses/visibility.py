@@ -43,6 +43,8 @@ TOUCH = 0.03
 LARGEST_MOVABLE = 2.0
 """Metres from the middle of a thing or person to its farthest part, at most."""
 SIGNS = np.array([-1.0, 1.0])[:, np.newaxis, np.newaxis]
+NOT_THE_ROBOT = np.array([group != ROBOT_GROUP for group in range(6)], dtype=np.uint8)
+"""By geom group, whether rays meet it."""
 NEAREST = 0.05
 """Depth in metres below which nothing is seen."""
 
@@ -65,8 +67,11 @@ class RayCamera:
         self._scene = scene
         self._data = data
         self._draw = draw
-        self._seen: dict[float, list[_Seen]] = {}
-        """By range limit; a look is one moment, and is often asked about."""
+        self._looked_at: dict[int, _Seen | None] = {}
+        """What is seen of the site's targets, by number; None for nothing."""
+        self._answers: dict[tuple[float, bool], list[_Seen]] = {}
+        """By range limit and whether something is to be written on it; a look is one
+        moment, and is often asked about."""
         lens = data.cam("eye")
         self._eye = np.array(lens.xpos)
         backwards = lens.xmat.reshape(3, 3)[:, 2]
@@ -91,7 +96,8 @@ class RayCamera:
 
     def visible_texts(self, range_limit: float) -> list[VisibleText]:
         """Return what is written on the things seen within the limit."""
-        texts = [self._text_on(each) for each in self._things_seen(range_limit)]
+        bearers = self._things_seen(range_limit, written=True)
+        texts = [self._text_on(each) for each in bearers]
         return [each for each in texts if each is not None]
 
     def _text_on(self, seen: _Seen) -> VisibleText | None:
@@ -116,36 +122,46 @@ class RayCamera:
             cut=written.fills_it and _is_cut(seen.thing.box),
         )
 
-    def _things_seen(self, range_limit: float) -> list[_Seen]:
-        if range_limit in self._seen:
-            return list(self._seen[range_limit])
-        seen = self._seen_of(sight_targets(self._scene), range_limit)
-        if self._scene.movables:
-            reach = range_limit + LARGEST_MOVABLE
-            nearby = movable_targets(self._scene, self._data, self._eye, reach)
-            seen += self._seen_of(nearby, range_limit)
-        self._seen[range_limit] = seen
-        return list(seen)
+    def _things_seen(self, range_limit: float, *, written: bool = False) -> list[_Seen]:
+        """Return the things seen within the limit, or those that words are written on."""
+        asked = range_limit, written
+        if asked not in self._answers:
+            fixed = sight_targets(self._scene)
+            near = self._candidates(fixed, *asked)
+            known = self._looked_at
+            known.update(
+                self._look_at(fixed, [each for each in near if each not in known])
+            )
+            found = [known[each] for each in near]
+            if self._scene.movables:
+                reach = range_limit + LARGEST_MOVABLE
+                nearby = movable_targets(self._scene, self._data, self._eye, reach)
+                near = self._candidates(nearby, *asked)
+                found += self._look_at(nearby, near).values()
+            self._answers[asked] = [
+                each
+                for each in found
+                if each is not None and each.thing.distance <= range_limit
+            ]
+        return self._answers[asked]
 
-    def _seen_of(self, targets: SightTargets, range_limit: float) -> list[_Seen]:
-        """Return which of some targets are seen; everything may hide them."""
-        near = self._candidates(targets, range_limit)
-        if not near:
-            return []
-        numbers = np.concatenate([
-            np.arange(targets.first_points[i], targets.first_points[i + 1])
-            for i in near
-        ])
-        owners = np.repeat(
-            np.arange(len(near)),
-            [targets.first_points[i + 1] - targets.first_points[i] for i in near],
-        )
+    def _look_at(
+        self, targets: SightTargets, numbers_of: list[int]
+    ) -> dict[int, _Seen | None]:
+        """Return what is seen of some targets, by number; everything may hide them."""
+        if not numbers_of:
+            return {}
+        near = np.array(numbers_of)
+        begins = targets.first_points[near]
+        counts = targets.first_points[near + 1] - begins
+        owners = np.repeat(np.arange(len(near)), counts)
+        numbers = np.arange(len(owners)) + (begins + counts - counts.cumsum())[owners]
         offsets = targets.points[numbers] - self._eye
         facing = -np.einsum("ij,ij->i", offsets, targets.normals[numbers])
         turned_to_us = facing > 0
         numbers, owners = numbers[turned_to_us], owners[turned_to_us]
         offsets, facing = offsets[turned_to_us], facing[turned_to_us]
-        distances = np.linalg.norm(offsets, axis=1)
+        distances = np.sqrt(_squares(offsets))
         # The solid angle of each tile; together they tell how much of a thing is seen.
         angles = targets.areas[numbers] * facing / distances**3
         whole = np.bincount(owners, angles, len(near))
@@ -162,42 +178,45 @@ class RayCamera:
         inside = np.bincount(owners, angles, len(near))
         geoms = targets.geoms[near][owners]
         seen = self._reached(offsets[pictured], distances, geoms)
-        unhidden = np.bincount(owners[seen], angles[seen], len(near))
+        numbers, owners, angles = numbers[seen], owners[seen], angles[seen]
+        distances, depth = distances[seen], depth[seen]
+        unhidden = np.bincount(owners, angles, len(near))
         pixels = angles * FOCAL_LENGTH**2 * (distances / depth) ** 3
-        area = np.bincount(owners[seen], pixels[seen], len(near))
+        area = np.bincount(owners, pixels, len(near))
 
         enough = (
             (unhidden > 0)
             & (unhidden >= LEAST_FRACTION * inside)
             & ((unhidden >= LEAST_SHARE * whole) | (area >= LARGE_AREA))
         )
-        found = [
-            self._seen_thing(
+        found: dict[int, _Seen | None] = dict.fromkeys(numbers_of)
+        ends = owners.searchsorted(np.arange(len(near) + 1)).tolist()
+        for i in np.flatnonzero(enough).tolist():
+            tiles = slice(ends[i], ends[i + 1])
+            found[numbers_of[i]] = self._seen_thing(
                 targets,
-                near[i],
-                numbers[seen & (owners == i)],
+                numbers_of[i],
+                numbers[tiles],
+                float(distances[tiles].min()),
                 min(float(unhidden[i] / inside[i]), 1.0),
             )
-            for i in np.flatnonzero(enough)
-        ]
-        return [
-            each
-            for each in found
-            if each is not None and each.thing.distance <= range_limit
-        ]
+        return found
 
-    def _candidates(self, targets: SightTargets, range_limit: float) -> list[int]:
+    def _candidates(
+        self, targets: SightTargets, range_limit: float, written: bool
+    ) -> list[int]:
         """Return things near enough and not behind the lens, by their round hulls."""
         offsets = targets.centres - self._eye
         reach = range_limit + targets.radii
-        near = (
-            (np.einsum("ij,ij->i", offsets, offsets) <= reach**2)
-            & (offsets @ self._ahead > -targets.radii)
-            # The frustum's side planes lie at 45 degrees.
-            & (offsets @ (self._ahead + self._left) > -math.sqrt(2) * targets.radii)
-            & (offsets @ (self._ahead - self._left) > -math.sqrt(2) * targets.radii)
-        )
-        return np.flatnonzero(near).tolist()
+        near = np.einsum("ij,ij->i", offsets, offsets) <= reach**2
+        if written:
+            near &= targets.written
+        (numbers,) = near.nonzero()
+        offsets, radii = offsets[numbers], targets.radii[numbers]
+        ahead, left = offsets @ self._ahead, offsets @ self._left
+        # The frustum's side planes lie at 45 degrees.
+        inside = (ahead > -radii) & (ahead - abs(left) > -math.sqrt(2) * radii)
+        return numbers[inside].tolist()
 
     def _reached(
         self, offsets: FloatArray, distances: FloatArray, geoms: NDArray[np.int32]
@@ -207,14 +226,12 @@ class RayCamera:
         hit_geoms = np.full(count, -1, dtype=np.int32)
         hit_distances = np.full(count, -1.0)
         if count:
-            groups = np.ones(6, dtype=np.uint8)
-            groups[ROBOT_GROUP] = 0
             mujoco.mj_multiRay(
                 self._scene.model,
                 self._data,
                 self._eye,
                 (offsets / distances[:, np.newaxis]).ravel(),
-                groups,
+                NOT_THE_ROBOT,
                 True,
                 -1,
                 hit_geoms,
@@ -234,9 +251,13 @@ class RayCamera:
         targets: SightTargets,
         target: int,
         numbers: NDArray[np.int64],
+        nearest: float,
         fraction: float,
     ) -> _Seen | None:
-        """Measure a thing by its seen tiles; None where it is too small to tell."""
+        """Measure a thing by its seen tiles, of which the nearest middle is so far.
+
+        None where it is too small to tell.
+        """
         edges = targets.half_edges[numbers]
         middles = targets.points[numbers] - self._eye
         sides = middles + SIGNS * edges[:, 0]
@@ -244,22 +265,34 @@ class RayCamera:
         depth = np.maximum(corners @ self._ahead, NEAREST)
         u = WIDTH / 2 - FOCAL_LENGTH * (corners @ self._left) / depth
         v = HEIGHT / 2 - FOCAL_LENGTH * corners[:, 2] / depth
-        left, right = np.clip([u.min(), u.max()], 0, WIDTH).tolist()
-        top, bottom = np.clip([v.min(), v.max()], 0, HEIGHT).tolist()
+        left, right = _within(u, float(WIDTH))
+        top, bottom = _within(v, float(HEIGHT))
         if right - left < LEAST_PIXELS or bottom - top < LEAST_PIXELS:
             return None
-        distances = np.linalg.norm(np.concatenate([middles, corners]), axis=1)
+        nearest_corner = float(_squares(corners).min())
         x, y, _ = targets.centres[target].tolist()
         thing = VisibleObject(
             description=targets.descriptions[target],
             position=(x, y),
             length=float(targets.lengths[target]),
             box=(left, top, right, bottom),
-            distance=float(distances.min()),
+            distance=min(nearest, math.sqrt(nearest_corner)),
             bearing=math.atan2(WIDTH / 2 - (left + right) / 2, FOCAL_LENGTH),
             visible_fraction=fraction,
         )
         return _Seen(int(targets.geoms[target]), thing)
+
+
+def _squares(vectors: FloatArray) -> FloatArray:
+    """Return the squared lengths of vectors (N, 3); a sum along rows takes longer."""
+    x, y, z = vectors.T
+    return x * x + y * y + z * z
+
+
+def _within(pixels: FloatArray, most: float) -> tuple[float, float]:
+    """Return the least and the greatest, moved to the picture's edge if beyond."""
+    least, greatest = float(pixels.min()), float(pixels.max())
+    return min(max(least, 0.0), most), min(max(greatest, 0.0), most)
 
 
 def _is_cut(box: tuple[float, float, float, float]) -> bool:
