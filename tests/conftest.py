@@ -1,5 +1,6 @@
 """Tiny sites, instructions, runs and a browser that the tests of every room share."""
 
+import gc
 import json
 import math
 import shutil
@@ -61,9 +62,20 @@ if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
 
 # How long an example takes says more of the machine than of the code; each run of the
-# tests draws other examples.
-property_settings.register_profile("untimed", deadline=None, max_examples=40)
-property_settings.load_profile("untimed")
+# tests draws other examples. `make proof` draws many: --hypothesis-profile=thorough.
+property_settings.register_profile("quick", deadline=None, max_examples=12)
+property_settings.register_profile("thorough", deadline=None, max_examples=250)
+property_settings.load_profile("quick")
+
+# What is imported while tests are collected stays: it is no garbage to look through.
+gc.disable()
+
+
+def pytest_collection_finish() -> None:
+    """Look for garbage from here on, among what the tests themselves make."""
+    gc.freeze()
+    gc.enable()
+
 
 Plan = dict[str, Any]
 

@@ -38,7 +38,7 @@ def test_a_building_that_is_saved_is_loaded_as_the_same_building(
 numbers = st.floats(-500, 500)
 
 
-@settings(max_examples=50, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(
     st.floats(-360, 720),
     st.floats(0.001, 100),
