@@ -6,7 +6,7 @@ in `noun_phrase.py` and `matching.py`.
 
 import gzip
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import cache, cached_property, lru_cache
 from importlib.resources import files
 from itertools import chain
@@ -137,10 +137,10 @@ class _Lexicon:
 
     def _is_kind_of(self, sense: int, kinds: frozenset[int]) -> bool:
         level, seen = {sense}, {sense}
-        while level:
+        while level and level.isdisjoint(kinds):
             level = {kind for each in level for kind in self.kinds(each)} - seen
             seen |= level
-        return not seen.isdisjoint(kinds)
+        return bool(level)
 
     def kinds(self, sense: int) -> Iterator[int]:
         """Return what a meaning is directly a kind of."""
@@ -233,7 +233,7 @@ def is_noun(words: str) -> bool:
     >>> is_noun("vending machine"), is_noun("windowless")
     (True, False)
     """
-    return bool(_lexicon().senses(words))
+    return bool(_senses(words))
 
 
 def is_adjective(word: str) -> bool:
@@ -311,13 +311,23 @@ def kind_distance(general: str, special: str) -> int | None:
     """
     if general == special:
         return 0
-    lexicon = _lexicon()
-    upper, lower = lexicon.senses(general), lexicon.senses(special)
-    level, seen, steps = set(lower), set(lower), 0
-    while level and upper:
-        if level & upper:
-            return steps
-        level = {kind for sense in level for kind in lexicon.kinds(sense)} - seen
-        seen |= level
+    above = _steps_above(special)
+    return min((above[each] for each in _senses(general) if each in above), default=None)
+
+
+@lru_cache(maxsize=20_000)
+def _senses(words: str) -> frozenset[int]:
+    return _lexicon().senses(words)
+
+
+@lru_cache(maxsize=20_000)
+def _steps_above(words: str) -> Mapping[int, int]:
+    """Return the meanings of a noun and all that these are a kind of, with the steps there."""
+    lexicon, level, steps = _lexicon(), _senses(words), 0
+    found = dict.fromkeys(level, 0)
+    while level:
         steps += 1
-    return None
+        above = frozenset(kind for each in level for kind in lexicon.kinds(each))
+        level = above - found.keys()
+        found |= dict.fromkeys(level, steps)
+    return found
