@@ -7,6 +7,7 @@ import shutil
 from collections.abc import Callable, Generator, Sequence
 from contextlib import ExitStack
 from dataclasses import replace
+from functools import cache
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from threading import Thread
@@ -56,6 +57,7 @@ from memorymaze.runs.episodes.settings import (
 )
 from memorymaze.runs.work.run_folder import RunRecord, open_run_folder
 from memorymaze.texts.corpus import Corpus, load_corpus
+from memorymaze.world.construction import BuildingKind, make_building
 from memorymaze.world.sites import Site, load_site, load_sites
 
 if TYPE_CHECKING:
@@ -208,6 +210,17 @@ def tiny_sites() -> dict[str, Site]:
 def builtin_sites() -> dict[str, Site]:
     """The three floors of the benchmark by name."""
     return load_sites()
+
+
+@pytest.fixture(scope="session")
+def made_building() -> Callable[[BuildingKind], Site]:
+    """Buildings that no one built, one of each kind, made once."""
+    return _made_building
+
+
+@cache
+def _made_building(kind: BuildingKind) -> Site:
+    return make_building(kind, 2)
 
 
 @pytest.fixture(scope="session")

@@ -312,7 +312,9 @@ def kind_distance(general: str, special: str) -> int | None:
     if general == special:
         return 0
     above = _steps_above(special)
-    return min((above[each] for each in _senses(general) if each in above), default=None)
+    return min(
+        (above[each] for each in _senses(general) if each in above), default=None
+    )
 
 
 @lru_cache(maxsize=20_000)
