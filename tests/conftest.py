@@ -3,6 +3,7 @@
 import gc
 import json
 import math
+import os
 import shutil
 from collections.abc import Callable, Generator, Sequence
 from contextlib import ExitStack
@@ -16,6 +17,10 @@ from typing import TYPE_CHECKING, Any, get_args
 import pytest
 from hypothesis import settings as property_settings
 from hypothesis import strategies as st
+
+# Each worker of pytest has a core; threads of linear algebra, which count cores when it is
+# first imported, would wait for each other.
+os.environ.setdefault("OMP_NUM_THREADS", "1")
 
 from memorymaze.basics.errors import CommandError, EpisodeOver
 from memorymaze.basics.input_files import FileStamp
