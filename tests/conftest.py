@@ -79,8 +79,9 @@ gc.disable()
 
 
 def pytest_collection_finish() -> None:
-    """Look for garbage from here on, among what the tests themselves make."""
+    """Look for garbage from here on, now and then, among what the tests themselves make."""
     gc.freeze()
+    gc.set_threshold(10_000)
     gc.enable()
 
 
