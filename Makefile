@@ -42,13 +42,18 @@ endif
 	@echo "replayed from $(TABLE_TWO)/replies.jsonl: the same table"
 endif
 
-test: setup
-	$(BIN)/pytest -n auto
+# Bytecode is kept, or each of the many processes that tests start would compile all anew.
+PYTEST := PYTHONDONTWRITEBYTECODE= $(BIN)/pytest
 
-# What takes too long for every change: long runs, kills, load, browsers, many buildings;
-# and the tests with a language model, where `make test-local-llm` has set one up.
+test: setup
+	$(PYTEST) -n auto --dist worksteal
+
+# What takes too long for every change: long runs, kills, load, browsers, many buildings,
+# properties by many examples; and the tests with a language model, where
+# `make test-local-llm` has set one up.
 proof: setup
-	$(BIN)/pytest -n auto -m proof
+	$(PYTEST) -n auto --dist worksteal -m "(proof or hypothesis) and not local_llm" \
+		--hypothesis-profile thorough
 	if $(BIN)/python -c 'import llama_cpp' 2>/dev/null; then $(BIN)/pytest -n 0 -m local_llm tests; fi
 
 # Compiles llama.cpp the first time, which takes minutes and needs CMake and a compiler.
@@ -63,7 +68,7 @@ check: setup
 	$(BIN)/codespell README.md CHANGELOG.md CONTRIBUTING.md docs src tests benchmarks examples scripts
 	$(BIN)/pyright
 	$(BIN)/lint-imports
-	$(BIN)/pytest -n auto
+	$(PYTEST) -n auto --dist worksteal
 
 # The pages as a site, in site/; fails where a link leads nowhere.
 docs: setup

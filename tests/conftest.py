@@ -1,11 +1,14 @@
 """Tiny sites, instructions, runs and a browser that the tests of every room share."""
 
+import gc
 import json
 import math
+import os
 import shutil
 from collections.abc import Callable, Generator, Sequence
 from contextlib import ExitStack
 from dataclasses import replace
+from functools import cache
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from threading import Thread
@@ -14,6 +17,10 @@ from typing import TYPE_CHECKING, Any, get_args
 import pytest
 from hypothesis import settings as property_settings
 from hypothesis import strategies as st
+
+# Each worker of pytest has a core; threads of linear algebra, which count cores when it is
+# first imported, would wait for each other.
+os.environ.setdefault("OMP_NUM_THREADS", "1")
 
 from memorymaze.basics.errors import CommandError, EpisodeOver
 from memorymaze.basics.input_files import FileStamp
@@ -55,15 +62,28 @@ from memorymaze.runs.episodes.settings import (
 )
 from memorymaze.runs.work.run_folder import RunRecord, open_run_folder
 from memorymaze.texts.corpus import Corpus, load_corpus
+from memorymaze.world.construction import BuildingKind, make_building
 from memorymaze.world.sites import Site, load_site, load_sites
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
 
 # How long an example takes says more of the machine than of the code; each run of the
-# tests draws other examples.
-property_settings.register_profile("untimed", deadline=None, max_examples=40)
-property_settings.load_profile("untimed")
+# tests draws other examples. `make proof` draws many: --hypothesis-profile=thorough.
+property_settings.register_profile("quick", deadline=None, max_examples=12)
+property_settings.register_profile("thorough", deadline=None, max_examples=250)
+property_settings.load_profile("quick")
+
+# What is imported while tests are collected stays: it is no garbage to look through.
+gc.disable()
+
+
+def pytest_collection_finish() -> None:
+    """Look for garbage from here on, now and then, among what the tests themselves make."""
+    gc.freeze()
+    gc.set_threshold(10_000)
+    gc.enable()
+
 
 Plan = dict[str, Any]
 
@@ -196,6 +216,17 @@ def tiny_sites() -> dict[str, Site]:
 def builtin_sites() -> dict[str, Site]:
     """The three floors of the benchmark by name."""
     return load_sites()
+
+
+@pytest.fixture(scope="session")
+def made_building() -> Callable[[BuildingKind], Site]:
+    """Buildings that no one built, one of each kind, made once."""
+    return _made_building
+
+
+@cache
+def _made_building(kind: BuildingKind) -> Site:
+    return make_building(kind, 2)
 
 
 @pytest.fixture(scope="session")

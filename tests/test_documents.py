@@ -3,8 +3,6 @@ import json
 import re
 import runpy
 import shutil
-import subprocess
-import sys
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -18,15 +16,23 @@ PROJECT = Path(__file__).parents[1]
 NOTEBOOK = PROJECT / "examples" / "first_steps.ipynb"
 
 
-def _run(program: str, folder: Path) -> str:
-    done = subprocess.run(
-        [sys.executable, "-W", "error", "-c", program],
-        capture_output=True,
-        text=True,
-        cwd=folder,
-    )
-    assert done.returncode == 0, done.stderr
-    return done.stdout
+@pytest.fixture
+def run(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> Callable[[str], str]:
+    """Run a script in a folder of its own, with one worker; say what it printed."""
+    for room in ("work.local_workers", "films.drawing"):
+        name = f"memorymaze.runs.{room}.available_cores"
+        monkeypatch.setattr(name, lambda: 1)
+
+    def script(program: str) -> str:
+        monkeypatch.chdir(tmp_path)
+        path = tmp_path / "page.py"
+        path.write_text(program, encoding="utf-8")
+        runpy.run_path(str(path), run_name="__main__")
+        return capsys.readouterr().out
+
+    return script
 
 
 class Page(NamedTuple):
@@ -65,8 +71,8 @@ SMALLER = {"README.md": ('"guide", limit=60', '"stop", limit=2')}
 )
 def test_the_python_blocks_of_a_page_run(
     name: str,
+    run: Callable[[str], str],
     tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
     tiny_sites_folder: Path,
     tiny_instructions: Path,
 ) -> None:
@@ -75,14 +81,11 @@ def test_the_python_blocks_of_a_page_run(
         tiny_sites_folder / "corridor.geojson", tmp_path / "my_building.geojson"
     )
     shutil.copy(tiny_instructions, tmp_path / "texts.jsonl")
-    monkeypatch.chdir(tmp_path)
     program = PAGES[name].run
     if name in SMALLER:
         assert SMALLER[name][0] in program
         program = program.replace(*SMALLER[name])
-    path = tmp_path / "page.py"
-    path.write_text(program, encoding="utf-8")
-    runpy.run_path(str(path), run_name=path.stem)
+    run(program)
 
 
 def test_blocks_that_are_not_run_are_python_and_say_why() -> None:
@@ -106,13 +109,15 @@ def test_python_stands_in_python_blocks() -> None:
 
 
 def test_the_python_blocks_of_the_page_on_python_run(
-    tmp_path: Path, chat_server: Callable[..., tuple[str, list[dict[str, Any]]]]
+    run: Callable[[str], str],
+    tmp_path: Path,
+    chat_server: Callable[..., tuple[str, list[dict[str, Any]]]],
 ) -> None:
     """Its agent that asks a model is recorded, replayed and priced."""
     address, asked = chat_server(lambda _: "forward", "my-model", (100, 2))
     program = PAGES["python.md"].run
     assert "http://localhost:8000/v1" in program
-    said = _run(program.replace("http://localhost:8000/v1", address), tmp_path)
+    said = run(program.replace("http://localhost:8000/v1", address))
     assert "right_hand, 6 episodes" in said
     assert "B - A" in said
     assert "Say one word of ['" in asked[0]["messages"][-1]["content"]
@@ -129,11 +134,11 @@ def test_the_python_blocks_of_the_page_on_python_run(
 
 
 def test_the_notebook_scores_an_agent_of_ones_own_in_under_25_lines(
-    tmp_path: Path,
+    run: Callable[[str], str],
 ) -> None:
     cells = json.loads(NOTEBOOK.read_text(encoding="utf-8"))["cells"]
     programs = ["".join(c["source"]) for c in cells if c["cell_type"] == "code"]
     lines = [line for each in programs for line in each.splitlines() if line.strip()]
     assert len(lines) < 25
-    said = _run("\n".join([*programs, "print(run)"]), tmp_path)
+    said = run("\n".join([*programs, "print(run)"]))
     assert "right_hand, 6 episodes" in said

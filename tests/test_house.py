@@ -2,12 +2,18 @@
 
 import ast
 from collections.abc import Iterator
+from functools import cache
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
 import memorymaze
 
 SOURCE = Path(memorymaze.__file__).parent
+
+
+@cache
+def _parsed(path: Path) -> ast.Module:
+    return ast.parse(path.read_text(encoding="utf-8"))
 
 
 def test_no_two_files_import_each_other_in_a_circle() -> None:
@@ -30,7 +36,7 @@ def _name(path: Path) -> str:
 
 
 def _imported(path: Path, files: dict[str, Path]) -> Iterator[str]:
-    for node in _statements(ast.parse(path.read_text(encoding="utf-8"))):
+    for node in _statements(_parsed(path)):
         if isinstance(node, ast.Import):
             yield from (each.name for each in node.names if each.name in files)
         elif isinstance(node, ast.ImportFrom) and node.module in files:
@@ -41,6 +47,8 @@ def _imported(path: Path, files: dict[str, Path]) -> Iterator[str]:
 def _statements(tree: ast.AST) -> Iterator[ast.AST]:
     """Yield everything in a file but what stands under `if TYPE_CHECKING`."""
     for node in ast.iter_child_nodes(tree):
+        if isinstance(node, ast.expr):
+            continue
         if isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING":
             continue
         yield node
@@ -53,7 +61,7 @@ def test_a_public_name_means_one_thing_in_the_house() -> None:
     Other constants are words of their file. What every verb of the command line has to
     have is one role in many files: `add_parser` in `cli`.
     """
-    trees = {path: ast.parse(path.read_text()) for path in SOURCE.rglob("*.py")}
+    trees = {path: _parsed(path) for path in SOURCE.rglob("*.py")}
     imported = {
         (node.module, each.name)
         for tree in trees.values()

@@ -2,6 +2,7 @@
 
 import json
 import re
+from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -94,9 +95,10 @@ def _marked(number: str, person: str, text: str, marks: Sequence[Any]) -> Marked
 
 def _within(words: Sequence[Word], start: int, end: int) -> range:
     """Return the words of a piece, without punctuation at its ends."""
-    inside = [
-        n for n, word in enumerate(words) if word.start < end and word.end > start
-    ]
+    inside = range(
+        bisect_right(words, start, key=lambda word: word.end),
+        bisect_left(words, end, key=lambda word: word.start),
+    )
     said = [n for n in inside if re.match(r"\w|&", words[n].text)] or inside
     return range(said[0], said[-1] + 1)
 

@@ -57,7 +57,7 @@ class Walk(NamedTuple):
 TakeWalk = Callable[..., Walk]
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")
 def walk_with(scenes: dict[str, Scene]) -> TakeWalk:
     """Walk as told: `walk_with(agent, start, text, seed=…, as_seen=…)`."""
 

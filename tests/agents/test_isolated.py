@@ -20,23 +20,18 @@ class Mine:
 """
 
 
-def _walk(tmp_path: Path, site: Path, line: str, **choices: object) -> mm.Walk:
+def _walk(tmp_path: Path, site: mm.Site, line: str, **choices: object) -> mm.Walk:
     path = tmp_path / "own.py"
     path.write_text(AGENT.format(line=line), encoding="utf-8")
     return mm.follow("Eight metres ahead.", f"{path}:Mine", site=site, **choices)
 
 
-@pytest.fixture
-def corridor(tiny_sites_folder: Path) -> Path:
-    return tiny_sites_folder / "corridor.geojson"
-
-
 def test_an_isolated_agent_walks_as_it_would_otherwise(
-    tmp_path: Path, corridor: Path
+    tmp_path: Path, corridor_site: mm.Site
 ) -> None:
     line = "robot.turn_by(-90); robot.turn_by(90); rng.random()"
-    here = _walk(tmp_path, corridor, line)
-    apart = _walk(tmp_path, corridor, line, isolate=True)
+    here = _walk(tmp_path, corridor_site, line)
+    apart = _walk(tmp_path, corridor_site, line, isolate=True)
     assert apart.trace == here.trace
     assert apart.success == here.success
     assert any(entry.get("words") == 3 for entry in apart.trace)
@@ -66,29 +61,31 @@ def test_an_isolated_agent_walks_as_it_would_otherwise(
     ],
 )
 def test_an_isolated_agent_gets_no_answers_and_its_faults_are_told(
-    tmp_path: Path, corridor: Path, line: str, said: str
+    tmp_path: Path, corridor_site: mm.Site, line: str, said: str
 ) -> None:
-    walk = _walk(tmp_path, corridor, line.format(plan=str(corridor)), isolate=True)
+    walk = _walk(
+        tmp_path, corridor_site, line.format(plan=corridor_site.source), isolate=True
+    )
     assert walk.stopped_by == "crash"
     assert said in str(walk.result.error)
 
 
 def test_named_arguments_of_an_isolated_agent_arrive_by_their_names(
-    tmp_path: Path, corridor: Path
+    tmp_path: Path, corridor_site: mm.Site
 ) -> None:
     line = "picture = robot.camera_picture(height=24, width=32); picture.rgb[23, 31]"
-    walk = _walk(tmp_path, corridor, line, isolate=True)
+    walk = _walk(tmp_path, corridor_site, line, isolate=True)
     assert walk.stopped_by == "agent"
 
 
 def test_an_isolated_agent_cannot_ask_for_what_stands_behind_the_robot(
-    tmp_path: Path, corridor: Path
+    tmp_path: Path, corridor_site: mm.Site
 ) -> None:
     line = (
         "pipe = robot._FarRobot__connection; "
         "pipe.send(('call', ('__reduce_ex__', (2,), {}))); raise pipe.recv()[1]"
     )
-    walk = _walk(tmp_path, corridor, line, isolate=True)
+    walk = _walk(tmp_path, corridor_site, line, isolate=True)
     assert "a robot has no '__reduce_ex__'" in str(walk.result.error)
 
 
@@ -107,28 +104,28 @@ def test_what_an_episode_left_unsaid_does_not_reach_the_next(
 
 
 def test_a_budget_that_runs_out_ends_an_isolated_agent(
-    tmp_path: Path, corridor: Path
+    tmp_path: Path, corridor_site: mm.Site
 ) -> None:
     line = "[robot.move_forward(0.1) for _ in range(9)]"
-    walk = _walk(tmp_path, corridor, line, isolate=True, call_budget=5)
+    walk = _walk(tmp_path, corridor_site, line, isolate=True, call_budget=5)
     assert walk.stopped_by == "budget"
 
 
-def test_an_agent_of_a_script_can_be_isolated_too(corridor: Path) -> None:
+def test_an_agent_of_a_script_can_be_isolated_too(corridor_site: mm.Site) -> None:
     class Ahead:
         name = "ahead"
 
         def follow(self, instruction, robot, journal, rng) -> None:
             robot.move_forward(8.0)
 
-    walk = mm.follow("Go.", Ahead(), site=corridor, isolate=True)
+    walk = mm.follow("Go.", Ahead(), site=corridor_site, isolate=True)
     assert walk.stopped_by == "agent"
     assert walk.result.path_length > 7
 
 
-def test_what_needs_the_answers_cannot_be_isolated(corridor: Path) -> None:
+def test_what_needs_the_answers_cannot_be_isolated(corridor_site: mm.Site) -> None:
     with pytest.raises(SettingsError, match="needs the answers"):
-        mm.follow("Go.", "oracle", site=corridor, isolate=True)
+        mm.follow("Go.", "oracle", site=corridor_site, isolate=True)
 
 
 ASKER = """
@@ -150,7 +147,7 @@ QUESTION = ModelQuestion("metres", "1")
 
 
 def test_an_isolated_agent_asks_the_model_of_the_run(
-    tmp_path: Path, corridor: Path
+    tmp_path: Path, corridor_site: mm.Site
 ) -> None:
     path, answers = tmp_path / "asker.py", tmp_path / "answers.jsonl"
     path.write_text(ASKER, encoding="utf-8")
@@ -162,12 +159,12 @@ def test_an_isolated_agent_asks_the_model_of_the_run(
         return mm.follow(
             "Six metres.",
             f"{path}:Asker",
-            site=corridor,
+            site=corridor_site,
             isolate=isolate,
             language_model=model,
         )
 
-    way = mm.load_site(corridor).routes[0].id
+    way = corridor_site.routes[0].id
     here, apart = (walk(f"corridor-{way}", isolate=each) for each in (False, True))
     assert apart.trace == here.trace
     assert apart.result.path_length == pytest.approx(6.0, abs=0.1)

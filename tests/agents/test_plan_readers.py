@@ -2,7 +2,7 @@ import json
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from memorymaze.agents.agent import TOLD_AGAIN, Journal
@@ -129,14 +129,12 @@ def test_a_text_that_is_a_plan_is_walked_as_it_stands(
     assert walk.result.agent == f"{name}[plan]"
 
 
-@pytest.mark.parametrize("name", ["guide", "explorer"])
-@settings(max_examples=25)
-@given(data=st.data())
+@given(data=st.data(), name=st.sampled_from(["guide", "explorer"]))
 def test_any_plan_is_walked_to_an_end(
     any_plans: st.SearchStrategy[RoutePlan],
     crossing_site: Site,
-    name: str,
     data: st.DataObject,
+    name: str,
 ) -> None:
     plan = json.dumps(plan_record(data.draw(any_plans)))
     agent = AgentSettings(name, options=(("reader", "plan"),))

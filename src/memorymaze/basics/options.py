@@ -20,6 +20,7 @@ import re
 import textwrap
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import MISSING, dataclass, fields, replace
+from functools import cache
 from itertools import pairwise
 from types import NoneType, UnionType
 from typing import Any, Literal, TypeVar, Union, get_args, get_origin, get_type_hints
@@ -283,6 +284,7 @@ def as_given(value: Any, between: str = ",") -> str:
     return str(value).lower() if value is None or type(value) is bool else str(value)
 
 
+@cache
 def _strings_beneath(cls: type) -> dict[str, str]:
     """Return the string beneath each field of a class, by the field's name."""
     found: dict[str, str] = {}

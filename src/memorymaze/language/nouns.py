@@ -137,10 +137,10 @@ class _Lexicon:
 
     def _is_kind_of(self, sense: int, kinds: frozenset[int]) -> bool:
         level, seen = {sense}, {sense}
-        while level:
+        while level and level.isdisjoint(kinds):
             level = {kind for each in level for kind in self.kinds(each)} - seen
             seen |= level
-        return not seen.isdisjoint(kinds)
+        return bool(level)
 
     def kinds(self, sense: int) -> Iterator[int]:
         """Return what a meaning is directly a kind of."""
@@ -233,7 +233,7 @@ def is_noun(words: str) -> bool:
     >>> is_noun("vending machine"), is_noun("windowless")
     (True, False)
     """
-    return bool(_lexicon().senses(words))
+    return bool(_levels(words))
 
 
 def is_adjective(word: str) -> bool:

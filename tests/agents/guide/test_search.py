@@ -1,7 +1,7 @@
 """Walks of the guide through the tiny sites, with the simulated robot."""
 
 from collections.abc import Callable
-from functools import partial
+from functools import cache, partial
 from types import SimpleNamespace
 from typing import Any, cast
 
@@ -16,10 +16,10 @@ Walk = Any
 TakeWalk = Callable[..., Walk]
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def take_walk(walk_with: TakeWalk) -> TakeWalk:
-    """Walk as told: `take_walk(start, text, seed=…, as_seen=…)`."""
-    return partial(walk_with, GuideAgent())
+    """Walk as told, the same walk once: `take_walk(start, text, seed=…, as_seen=…)`."""
+    return cache(partial(walk_with, GuideAgent()))
 
 
 @pytest.mark.parametrize(

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from memorymaze.basics.errors import PlanFileError
@@ -47,7 +47,6 @@ def test_a_record_says_what_the_file_said_but_for_empty_keys() -> None:
     assert _without_empties(written) == _without_empties(records)
 
 
-@settings(max_examples=40, deadline=None)
 @given(data=st.data())
 def test_any_plan_comes_back_from_its_record(
     any_plans: st.SearchStrategy[RoutePlan], data: st.DataObject

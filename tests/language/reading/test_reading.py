@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from memorymaze.language.plans import RoutePlan, parse_plan, plan_record
@@ -354,7 +354,6 @@ def test_texts_of_any_size_are_read(text: str) -> None:
     assert parse_plan(plan_record(plan), "what was read") == plan
 
 
-@settings(max_examples=100, deadline=None)
 @given(st.text())
 def test_any_text_is_read_and_always_in_the_same_way(text: str) -> None:
     plan = parse_route_description(text)
@@ -371,7 +370,6 @@ after opposite around straight slightly see both there's stop 🙂
 """
 
 
-@settings(max_examples=100, deadline=None)
 @given(st.lists(st.sampled_from([*WORDS.split(), "\n"]), max_size=25).map(" ".join))
 def test_words_of_routes_in_any_order_are_read_and_always_in_the_same_way(
     text: str,
@@ -384,7 +382,6 @@ def test_words_of_routes_in_any_order_are_read_and_always_in_the_same_way(
 WAYS = st.lists(st.sampled_from(["left", "right"]), min_size=1, max_size=8)
 
 
-@settings(max_examples=40, deadline=None)
 @given(WAYS)
 def test_equal_turns_in_a_list_or_joined_by_then_are_different_turns(
     ways: list[str],

@@ -186,7 +186,7 @@ class StandInServer:
         self.maps = ["Carla/Maps/Town10HD_Opt", "Carla/Maps/tiny_museum"]
         self.made_worlds = 0
         self.is_dead = False
-        self.first_left_out = 1
+        self.first_left_out = 0
         """Frames that a sensor sends nothing after it was listened to."""
         self.delay = 0.0
         """Seconds by which sensors send later than the tick ends."""

@@ -28,7 +28,10 @@ def _drive(body: SensorsAndMotion, speed: float, turn_rate: float, times: int) -
         body.drive(speed, turn_rate, 0.05)
 
 
-def test_it_keeps_the_contract_of_bodies(put_body: MakeBody) -> None:
+def test_it_keeps_the_contract_of_bodies_though_new_sensors_leave_out_a_frame(
+    put_body: MakeBody, server: StandInServer
+) -> None:
+    server.first_left_out = 1
     body = put_body()
     assert isinstance(body, SensorsAndMotion)
     check_sensors_and_motion(body)

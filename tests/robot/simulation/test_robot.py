@@ -4,7 +4,7 @@ from contextlib import suppress
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from tests.robot.simulation.conftest import PutRobot
 
@@ -134,7 +134,6 @@ def test_refuses_lines_without_meaning(put_robot: PutRobot, line: object) -> Non
         robot.follow(line)  # type: ignore[arg-type]
 
 
-@settings(max_examples=40, deadline=None)
 @given(
     y=st.floats(-0.9, 0.9),
     degrees=st.floats(-30, 30),

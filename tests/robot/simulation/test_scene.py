@@ -2,12 +2,14 @@ import math
 import os
 import subprocess
 import sys
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
 from shapely import Polygon, box
 
+from memorymaze.robot.simulation.obstacles import ObstacleSettings
 from memorymaze.robot.simulation.scene import Scene, build_scene
 from memorymaze.world.sites import Site
 
@@ -21,6 +23,15 @@ def test_every_door_and_landmark_is_one_geom_of_its_own(
         assert set(scene.geom_ids) == {record.id for record in records}
         for record in records:
             assert scene.objects[scene.geom_ids[record.id]].record is record
+
+
+def test_the_scene_of_a_site_is_kept_and_that_of_a_changed_one_is_another(
+    corridor_site: Site,
+) -> None:
+    scene = build_scene(corridor_site)
+    assert build_scene(corridor_site) is scene
+    assert build_scene(replace(corridor_site)).site is not scene.site
+    assert build_scene(corridor_site, ObstacleSettings()).movables != scene.movables
 
 
 def test_landmarks_have_their_true_size_place_and_heading(plans: Any) -> None:

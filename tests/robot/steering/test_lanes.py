@@ -3,7 +3,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from memorymaze.basics.geometry.pose import Pose
@@ -25,7 +25,6 @@ def lane_in(scene: Any, x: float, y: float, course: float = 0.0) -> Lane:
     return plan_lane(way, pose, scene.clearance, 1.0)
 
 
-@settings(max_examples=40, deadline=None)
 @given(
     things=st.lists(
         st.tuples(st.floats(4, 26), st.floats(-1.4, 1.4), st.floats(0, 360)), max_size=6

@@ -1,7 +1,7 @@
 import math
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from tests.robot.simulation.conftest import PutRobot
 
@@ -60,7 +60,6 @@ def test_a_turn_is_as_wide_as_asked_and_on_the_spot(
         assert math.dist(before[:2], robot.pose[:2]) < 5 * MILLIMETRE
 
 
-@settings(max_examples=25, deadline=None)
 @given(
     st.lists(
         st.one_of(

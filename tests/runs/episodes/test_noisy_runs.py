@@ -22,12 +22,12 @@ TEXT = "Go straight, turn left at the corner, and stop at the fire extinguisher.
 
 
 @pytest.fixture
-def walk(tiny_sites_folder: Path) -> Callable[..., Any]:
+def walk(loop_site: mm.Site) -> Callable[..., Any]:
     """Walk round the loop by what the LiDAR tells; return the poses."""
 
     def poses(**choices: Any) -> Any:
-        site = tiny_sites_folder / "loop.geojson"
-        return mm.follow(TEXT, "guide", site=site, **choices).run.trajectory.poses
+        walk = mm.follow(TEXT, "guide", site=loop_site, **choices)
+        return walk.run.trajectory.poses
 
     return poses
 

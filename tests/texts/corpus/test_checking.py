@@ -3,7 +3,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from memorymaze.texts.corpus.checking import CheckReport, check_instruction_files
@@ -58,7 +58,6 @@ def test_a_damaged_text_is_an_error(check: Check, text: str, said: str) -> None:
     )
 
 
-@settings(deadline=None, max_examples=30)
 @given(st.text(st.characters(codec="cp1252", exclude_categories=["Cc"])))
 def test_what_was_read_in_a_wrong_encoding_is_recognised(text: str) -> None:
     garbled = text.encode("utf-8").decode("cp1252", "replace")

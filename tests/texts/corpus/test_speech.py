@@ -2,7 +2,7 @@ import re
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from memorymaze.texts.corpus.speech import PHRASES, spoken_marks, words_like
@@ -33,7 +33,6 @@ def test_marks_of_speech_are_found(text: str, marks: list[str]) -> None:
     assert [mark.kind for mark in spoken_marks(text)] == marks
 
 
-@settings(deadline=None)
 @given(st.lists(st.sampled_from(["um", "the", "maybe", "no", "wait,", "i", "mean"])))
 def test_no_stretch_of_a_text_counts_twice(words: list[str]) -> None:
     text = " ".join(words)

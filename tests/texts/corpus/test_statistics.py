@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from memorymaze.basics.errors import InstructionFileError
@@ -110,7 +110,6 @@ def test_each_counting_rule_counts_as_it_says(rule: str, count: int) -> None:
     assert distinct_words(TEXTS, chosen) == count
 
 
-@settings(deadline=None)
 @given(SOME_TEXTS)
 def test_the_order_of_texts_changes_no_count(texts: list[str]) -> None:
     for rule in COUNTING_RULES:
@@ -118,7 +117,6 @@ def test_the_order_of_texts_changes_no_count(texts: list[str]) -> None:
         assert distinct_words(texts * 3, rule) >= distinct_words(texts, rule)
 
 
-@settings(deadline=None)
 @given(SOME_TEXTS)
 def test_a_type_token_curve_rises_and_ends_at_all_distinct_words(
     texts: list[str],

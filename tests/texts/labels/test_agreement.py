@@ -3,7 +3,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
@@ -208,7 +208,6 @@ def test_fleiss_kappa_equals_the_published_value() -> None:
     assert found.value == pytest.approx(0.210, abs=5e-4)
 
 
-@settings(deadline=None)
 @given(TABLES)
 def test_kappa_does_not_depend_on_who_is_first_or_how_answers_are_ordered(
     table: np.ndarray,
@@ -220,7 +219,6 @@ def test_kappa_does_not_depend_on_who_is_first_or_how_answers_are_ordered(
     assert kappa is None or kappa <= 1.0
 
 
-@settings(deadline=None)
 @given(TABLES)
 def test_fleiss_kappa_of_two_is_cohens_with_shared_shares(table: np.ndarray) -> None:
     answers = np.array([
@@ -233,7 +231,6 @@ def test_fleiss_kappa_of_two_is_cohens_with_shared_shares(table: np.ndarray) -> 
     assert found == (None if shared is None else pytest.approx(shared))
 
 
-@settings(deadline=None)
 @given(st.integers(1, 20))
 def test_full_agreement_is_one_and_undefined_where_nothing_differs(count: int) -> None:
     assert cohens_kappa([[count, 0], [0, 3]]).value == pytest.approx(1.0)

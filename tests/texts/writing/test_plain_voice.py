@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from tests.texts.writing.canonical_plans import why_not_canonical
 from tests.texts.writing.plain_voice import tell_plainly
@@ -173,7 +173,6 @@ def canonical_plans(draw: Callable[..., object]) -> RoutePlan:
 
 
 @pytest.mark.proof
-@settings(max_examples=150, deadline=None)
 @given(canonical_plans())
 def test_a_canonical_plan_told_plainly_is_read_back_whole(plan: RoutePlan) -> None:
     assert why_not_canonical(plan) is None

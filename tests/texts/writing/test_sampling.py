@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from memorymaze.basics.errors import SettingsError
@@ -57,7 +57,6 @@ def test_a_sample_of_a_cell_has_the_rates_and_lengths_of_table_one(
     assert found.words_sd == pytest.approx(paper.words_sd, rel=0.2)
 
 
-@settings(max_examples=20, deadline=None)
 @given(mean=st.floats(30, 200), share=st.floats(0.2, 0.6), seed=st.integers(0, 2**32))
 def test_wanted_lengths_have_their_mean_and_deviation(
     mean: float, share: float, seed: int

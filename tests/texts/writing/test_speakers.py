@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from memorymaze.language.nouns import kin_of
@@ -16,7 +16,6 @@ from memorymaze.texts.writing.speakers import EXACT, Speaker, draw_speaker, tell
 from memorymaze.texts.writing.steps import Cue, StepPlan
 from memorymaze.texts.writing.voices import make_voice
 
-SOME = settings(max_examples=20)
 TALKER = replace(EXACT, lengths=1.0, things=1.0, floors=0.0, names=0.0)
 """Who tells all lengths and things, and nothing of what is underfoot."""
 
@@ -40,7 +39,6 @@ def _told(
     return list(zip(*parts, strict=True))
 
 
-@SOME
 @given(seed=seeds)
 def test_an_exact_speaker_says_nothing_that_is_not_so(
     all_facts: list[RouteFacts], seed: int
@@ -59,7 +57,6 @@ def test_an_exact_speaker_says_nothing_that_is_not_so(
             assert told.length.metres == pytest.approx(true.length.metres, rel=0.4)
 
 
-@SOME
 @given(seed=seeds)
 def test_an_exact_speaker_tells_each_turn_with_its_cue_and_the_goal(
     all_facts: list[RouteFacts], seed: int
@@ -75,7 +72,6 @@ def test_an_exact_speaker_tells_each_turn_with_its_cue_and_the_goal(
     assert said.arrival.side in {true.arrival.side, None}
 
 
-@SOME
 @given(seed=seeds)
 def test_the_same_chance_makes_the_same_plan_which_a_file_can_hold(
     all_facts: list[RouteFacts], seed: int
@@ -86,7 +82,6 @@ def test_the_same_chance_makes_the_same_plan_which_a_file_can_hold(
     assert said == again == parse_plan(plan_record(said), "plan")
 
 
-@SOME
 @given(seeds, st.floats(0.5, 2), st.sampled_from(["metres", "steps", "time"]))
 def test_all_lengths_of_a_speaker_are_off_by_one_factor(
     all_facts: list[RouteFacts], seed: int, factor: float, unit: Unit
@@ -101,7 +96,6 @@ def test_all_lengths_of_a_speaker_are_off_by_one_factor(
             assert told.length.metres == off
 
 
-@SOME
 @given(seed=seeds)
 def test_whoever_says_other_words_says_related_ones(
     all_facts: list[RouteFacts], seed: int

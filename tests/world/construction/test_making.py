@@ -3,7 +3,6 @@ import subprocess
 import sys
 
 import pytest
-from tests.world.construction.conftest import made_site
 
 from memorymaze.basics.errors import SettingsError
 from memorymaze.world.construction import BUILDING_KINDS, make_building
@@ -12,14 +11,14 @@ from memorymaze.world.sites.plan import plan_bytes
 
 
 @pytest.mark.parametrize("kind", BUILDING_KINDS)
-def test_a_made_building_breaks_no_rule(kind, tmp_path):
-    building = made_site(kind)
+def test_a_made_building_breaks_no_rule(kind, made_building, tmp_path):
+    building = made_building(kind)
     path = tmp_path / f"{building.name}.geojson"
     building.save(path)
     assert find_site_problems(path) == []
 
 
-def test_the_same_seed_gives_the_same_bytes_in_another_process():
+def test_the_same_seed_gives_the_same_bytes_in_another_process(made_building):
     program = (
         "import sys; from memorymaze.world.construction import make_building; "
         "from memorymaze.world.sites.plan import plan_bytes; "
@@ -32,11 +31,11 @@ def test_the_same_seed_gives_the_same_bytes_in_another_process():
         check=True,
         capture_output=True,
     )
-    assert other.stdout == plan_bytes(made_site("hospital"))
+    assert other.stdout == plan_bytes(made_building("hospital"))
 
 
-def test_another_seed_gives_another_building():
-    one, other = made_site("hospital"), make_building("hospital", 1)
+def test_another_seed_gives_another_building(made_building):
+    one, other = made_building("hospital"), make_building("hospital", 1)
     assert one.corridors[0].polygon != other.corridors[0].polygon
 
 

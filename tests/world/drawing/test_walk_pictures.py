@@ -1,5 +1,6 @@
 """Pictures of walks: whatever part of whatever plan they show, they are drawn."""
 
+from collections.abc import Callable
 from dataclasses import replace
 from itertools import cycle, islice
 from pathlib import Path
@@ -13,7 +14,7 @@ from matplotlib.text import Text
 from numpy.typing import NDArray
 from shapely import LineString, box, get_parts
 
-from memorymaze.world.construction import BUILDING_KINDS, BuildingKind, make_building
+from memorymaze.world.construction import BUILDING_KINDS
 from memorymaze.world.drawing.plan_picture import (
     AROUND,
     draw_plan,
@@ -78,12 +79,10 @@ def test_a_picture_names_what_it_shows_and_nothing_else(
 def building(
     request: pytest.FixtureRequest,
     builtin_sites: dict[str, Site],
+    made_building: Callable[[str], Site],
 ) -> Site:
     """A shipped building, or one of each kind that was made."""
-    name: BuildingKind | str = request.param
-    if name in builtin_sites:
-        return builtin_sites[name]
-    return make_building(name, 2)
+    return builtin_sites.get(request.param) or made_building(request.param)
 
 
 @pytest.mark.proof

@@ -2,7 +2,7 @@ import math
 from itertools import pairwise
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from shapely import LineString, MultiPolygon, Polygon, box, union_all
 from shapely.affinity import rotate, translate
@@ -167,7 +167,6 @@ def any_floors(draw: st.DrawFn) -> Polygon:
 
 
 @given(any_floors())
-@settings(max_examples=60, deadline=None)
 def test_lines_on_any_floor_lie_on_it(floor: Polygon) -> None:
     if floor.is_empty:
         return

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from shapely import Point
 
@@ -289,7 +289,6 @@ def test_archetypes_can_be_of_any_size(archetype: str):
     mount=st.sampled_from(["floor", "wall", "ceiling"]),
     variant=st.integers(0, 5),
 )
-@settings(max_examples=40, deadline=None)
 def test_any_words_and_colours_can_be_built(category, text, colour, mount, variant):
     model = model_of(
         category,

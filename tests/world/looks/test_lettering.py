@@ -1,6 +1,6 @@
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from PIL import Image
 
@@ -44,7 +44,6 @@ def test_the_words_of_the_shipped_signs_are_never_cut():
 
 
 @given(st.text(max_size=60), st.integers(12, 300), st.integers(12, 300))
-@settings(max_examples=60, deadline=None)
 def test_no_words_leave_their_field(text, width, height):
     ink, field = written(text, width, height)
     assert_within(ink, field)

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from memorymaze.basics.errors import SitePlanError
@@ -66,7 +66,6 @@ def _loaded_or_refused(path: Path) -> Site | str:
         return str(error)
 
 
-@settings(max_examples=250, deadline=None)
 @given(data=st.data())
 def test_a_plan_with_changed_members_loads_or_fails_clearly(
     data: st.DataObject, plan_texts: dict[str, str], path: Path
@@ -90,7 +89,6 @@ def test_a_plan_with_changed_members_loads_or_fails_clearly(
     _loads_or_fails_clearly(path)
 
 
-@settings(max_examples=100, deadline=None)
 @given(cut=st.floats(0, 1), at=st.floats(0, 1), noise=st.binary(min_size=1, max_size=6))
 def test_a_plan_with_changed_bytes_loads_or_fails_clearly(
     cut: float, at: float, noise: bytes, plan_texts: dict[str, str], path: Path

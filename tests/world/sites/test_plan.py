@@ -1,5 +1,6 @@
 import json
 import math
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -8,7 +9,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from memorymaze.basics.errors import SettingsError
-from memorymaze.world.construction import BUILDING_KINDS, make_building
+from memorymaze.world.construction import BUILDING_KINDS, BuildingKind
 from memorymaze.world.sites import BUILTIN_SITE_NAMES, Site, load_site, plan_file
 from memorymaze.world.sites.plan import (
     degrees_of,
@@ -24,9 +25,12 @@ def test_the_plan_of_a_shipped_building_is_what_its_file_says(name: str):
 
 
 def test_a_building_that_is_saved_is_loaded_as_the_same_building(
-    builtin_sites: dict[str, Site], tiny_sites: dict[str, Site], tmp_path: Path
+    builtin_sites: dict[str, Site],
+    tiny_sites: dict[str, Site],
+    made_building: Callable[[BuildingKind], Site],
+    tmp_path: Path,
 ):
-    made = [make_building(kind, 5) for kind in BUILDING_KINDS]
+    made = map(made_building, BUILDING_KINDS)
     for site in (*builtin_sites.values(), *tiny_sites.values(), *made):
         path = tmp_path / f"{site.name}.geojson"
         site.save(path)
@@ -38,7 +42,7 @@ def test_a_building_that_is_saved_is_loaded_as_the_same_building(
 numbers = st.floats(-500, 500)
 
 
-@settings(max_examples=50, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(
     st.floats(-360, 720),
     st.floats(0.001, 100),

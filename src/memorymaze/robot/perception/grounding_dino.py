@@ -110,6 +110,10 @@ class ZeroShotFinder:
         require_extra(
             "detector", "torch", "transformers", purpose="detector grounding-dino"
         )
+        path = self.checkpoint
+        is_folder = os.path.isabs(path) or path.startswith(".")
+        if is_folder and not os.path.isdir(path):
+            raise _unusable(path, "there is no such folder")
         return _Loaded(self.checkpoint, self.device, self.download)
 
 
@@ -173,8 +177,6 @@ def _not_there(checkpoint: str, download: bool, error: Exception) -> SettingsErr
     why = f" ({_one_line(error)})"
     if os.path.isdir(checkpoint):
         what = "the folder holds no checkpoint that can be loaded" + why
-    elif os.path.isabs(checkpoint) or checkpoint.startswith("."):
-        what = "there is no such folder"
     elif download:
         what = "it could not be fetched" + why
     else:
@@ -182,6 +184,10 @@ def _not_there(checkpoint: str, download: bool, error: Exception) -> SettingsErr
             "it is not on this machine. Give a folder, or let it be fetched with "
             "download=true"
         )
+    return _unusable(checkpoint, what)
+
+
+def _unusable(checkpoint: str, what: str) -> SettingsError:
     return SettingsError(
         "detector grounding-dino: expected a zero-shot object detection checkpoint, a "
         f"folder or a name in the Hugging Face cache, got {checkpoint!r}: {what}"

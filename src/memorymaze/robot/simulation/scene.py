@@ -6,7 +6,7 @@ whose places an episode sets, 5 the robot. Only walls and obstacles touch the ro
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import Any
 
 import numpy as np
@@ -117,8 +117,21 @@ class Scene:
         return StraightWays(self.site, self.clearance)
 
 
+class _Same:
+    """A site as a key: of equal ones from two files, each may have a mesh of its own."""
+
+    def __init__(self, site: Site) -> None:
+        self.site = site
+
+    def __hash__(self) -> int:
+        return id(self.site)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Same) and other.site is self.site
+
+
 def build_scene(site: Site, obstacles: ObstacleSettings | None = None) -> Scene:
-    """Build the physics model of a site, with one robot in it.
+    """Return the physics model of a site, with one robot in it; the last few are kept.
 
     Walls stand on the boundary of the walkable floor, up to the ceiling; round a hole
     over which something hangs from the ceiling (a globe in an atrium) only a
@@ -128,6 +141,12 @@ def build_scene(site: Site, obstacles: ObstacleSettings | None = None) -> Scene:
         site: A building that passed the checks of `memorymaze.world.sites`.
         obstacles: Things and people to have at hand; each episode places them anew.
     """
+    return _built(_Same(site), obstacles)
+
+
+@lru_cache(maxsize=4)
+def _built(same: _Same, obstacles: ObstacleSettings | None) -> Scene:
+    site = same.site
     spec = mujoco.MjSpec()
     spec.modelname = site.name
     spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST

@@ -10,7 +10,8 @@ from functools import cached_property
 from itertools import pairwise
 from typing import Literal, NamedTuple, cast
 
-from shapely import LineString, Point, Polygon, get_parts
+import numpy as np
+from shapely import LineString, Point, Polygon, distance, get_parts
 from shapely.ops import nearest_points, substring
 from shapely.prepared import PreparedGeometry, prep
 
@@ -137,9 +138,12 @@ class TurningPointGraph:
     @cached_property
     def marks(self) -> Mapping[str, frozenset[str]]:
         """The words for things that stand near each turning point, in sight of it."""
+        spots = [Point(thing.position) for thing in self.things]
         return {
             point.id: frozenset(
-                thing.words for thing in self.things if self.is_seen_from(point, thing)
+                self.things[index].words
+                for index in np.flatnonzero(distance(point.polygon, spots) <= NEAR)
+                if self.is_seen_from(point, self.things[index])
             )
             for point in self.site.turning_points
         }

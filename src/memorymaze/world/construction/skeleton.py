@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import networkx as nx
-from shapely import LineString, Point
+from shapely import LineString, Point, STRtree
 
 from memorymaze.basics.geometry.points import XY
 from memorymaze.basics.geometry.pose import heading_to, turn_between
@@ -65,11 +65,13 @@ class Skeleton:
         self.places: list[XY] = []
         pieces = list(_pieces(layout))
         lines = [LineString([each.start, each.end]) for each in pieces]
+        tree = STRtree(lines)
         for index, piece in enumerate(pieces):
             stops = [piece.start, piece.end]
-            for other, line in enumerate(lines):
+            near = tree.query(lines[index], "dwithin", SAME_NODE / 2)
+            for other in sorted(near.tolist()):
                 if other != index:
-                    stops += _meeting_places(lines[index], line)
+                    stops += _meeting_places(lines[index], lines[other])
             self._add(piece, stops)
         self._check()
 

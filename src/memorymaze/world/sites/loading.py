@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Callable, Sequence
+from functools import cache
 from pathlib import Path
 from typing import Any, cast
 
@@ -35,7 +36,18 @@ def load_site(site: str | Path) -> records.Site:
         SitePlanError: The plan cannot be used. The message names file, feature and
             rule of the first problem, and how many more there are.
     """
-    path = plan_file(site)
+    if site in BUILTIN_SITE_NAMES:
+        return _builtin_site(str(site))
+    return _site_of(plan_file(site))
+
+
+@cache
+def _builtin_site(name: str) -> records.Site:
+    """Load one of the benchmark's sites once: neither its plan nor a `Site` changes."""
+    return _site_of(plan_file(name))
+
+
+def _site_of(path: Path) -> records.Site:
     return sound_site(read_plan(path), str(path))
 
 
