@@ -57,6 +57,8 @@ BEYOND_SIGN, UNDER_SIGN = 6.0, 2.5
 told as the destination itself, which may be the place or what leads to it."""
 BESIDE_WORDS = 4.0
 """Metres from words on a wall or above a way within which the place is that they name."""
+DOOR, DOOR_BESIDE = "door", 2.5
+"""What a sign on a wall may be the sign of, and how many metres from it at most."""
 ABOVE = 1.0
 """Metres beside the way within which words hang above it."""
 MOST_WIDER = 4
@@ -469,6 +471,8 @@ def walk_up_to(walker: Walker, sighting: Sighting, names: tuple[str, ...] = ()) 
             walker.walk_on(2 * INSIDE)
             return
         if again and sighting.distance <= IN_FRONT and not opens:
+            if is_sign(sighting.label) and "hanging" not in sighting.label:
+                _go_to_its_place(walker, sighting, names)
             return
         rest = walker.metres_until_abreast(sighting) - (0.0 if opens else 0.3)
         if rest <= 0.2:
@@ -502,11 +506,19 @@ def _is_written_above(sighting: Sighting, walker: Walker) -> bool:
 
 
 def _go_to_its_place(walker: Walker, sign: Sighting, names: tuple[str, ...]) -> None:
-    """Go on from a sign on a wall to the place beside it that bears its name."""
-    wanted = (place_on_sign(sign.phrase) or sign.phrase, *names)
-    beside = _borne_by(sign, walker.glance(dict.fromkeys(wanted), None))
+    """Go on from a sign on a wall to the place beside it that bears its name, or its door."""
+    wanted = (place_on_sign(sign.phrase) or sign.phrase, *names, DOOR)
+    seen = walker.glance(dict.fromkeys(wanted), None)
+    beside = _borne_by(sign, [each for each in seen if each.phrase != DOOR])
+    doors = [
+        each
+        for each in seen
+        if each.phrase == DOOR and math.dist(each.place, sign.place) <= DOOR_BESIDE
+    ]
     if beside:
         _face(walker, beside[0])
+    elif doors:
+        _face(walker, min(doors, key=lambda each: math.dist(each.place, sign.place)))
 
 
 def _enter(walker: Walker, sighting: Sighting, names: tuple[str, ...]) -> None:
@@ -538,7 +550,7 @@ def _face(walker: Walker, sighting: Sighting) -> None:
 def with_door(names: tuple[str, ...]) -> tuple[str, ...]:
     """Return names of a destination; of a room without a name also what is seen of it."""
     if names and names[0].split()[-1] in _ROOMS and is_common(names[0]):
-        return ("door", *names)
+        return (DOOR, *names)
     return names
 
 
