@@ -7,6 +7,7 @@ import pytest
 from memorymaze.basics.errors import CommandError
 from memorymaze.robot.api.control import DETECTION_RANGE
 from memorymaze.robot.perception import ObjectDescription, TruthDetector, VisibleObject
+from memorymaze.robot.perception.camera_view import Wanted
 
 
 @dataclass
@@ -16,9 +17,16 @@ class StillView:
     things: Sequence[VisibleObject]
     asked: list[float] = field(default_factory=list[float])
 
-    def visible_objects(self, range_limit: float) -> Sequence[VisibleObject]:
+    def visible_objects(
+        self, range_limit: float, wanted: Wanted | None = None
+    ) -> Sequence[VisibleObject]:
         self.asked.append(range_limit)
-        return [thing for thing in self.things if thing.distance <= range_limit]
+        return [
+            thing
+            for thing in self.things
+            if thing.distance <= range_limit
+            and (wanted is None or wanted(thing.description))
+        ]
 
 
 def seen(

@@ -11,7 +11,11 @@ from hypothesis import strategies as st
 
 from memorymaze.basics.errors import SettingsError
 from memorymaze.basics.geometry.pose import Pose
-from memorymaze.robot.perception.camera_view import ObjectDescription, VisibleObject
+from memorymaze.robot.perception.camera_view import (
+    ObjectDescription,
+    VisibleObject,
+    Wanted,
+)
 from memorymaze.robot.perception.detector import TruthDetector
 from memorymaze.robot.perception.error_model import ErrorModel, ErrorSource
 
@@ -34,8 +38,13 @@ class View:
         self.things = things
         self.pose = pose or Pose(0, 0, 0)
 
-    def visible_objects(self, range_limit: float):
-        return [thing for thing in self.things if thing.distance <= range_limit]
+    def visible_objects(self, range_limit: float, wanted: Wanted | None = None):
+        return [
+            thing
+            for thing in self.things
+            if thing.distance <= range_limit
+            and (wanted is None or wanted(thing.description))
+        ]
 
 
 def detector(model: ErrorModel, seed: int = 0) -> TruthDetector:

@@ -1,7 +1,7 @@
 """What a camera view offers detectors and readers; no world, no site, no answers inside."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Literal, NoReturn, Protocol
 
@@ -65,6 +65,10 @@ class VisibleText:
     """Whether the picture's edge cuts through it."""
 
 
+Wanted = Callable[[ObjectDescription], bool]
+"""Whether one looks for a thing; always the same answer of the same function."""
+
+
 class CameraView(Protocol):
     """One look of the robot's camera."""
 
@@ -73,8 +77,13 @@ class CameraView(Protocol):
         """Where the lens is and which way it looks; for tracking only."""
         ...
 
-    def visible_objects(self, range_limit: float) -> Sequence[VisibleObject]:
-        """Return the things seen whose nearest seen part is within `range_limit` metres."""
+    def visible_objects(
+        self, range_limit: float, wanted: Wanted | None = None
+    ) -> Sequence[VisibleObject]:
+        """Return the things seen whose nearest seen part is within `range_limit` metres.
+
+        Where only some are wanted, no others are looked for.
+        """
         ...
 
     def visible_texts(self, range_limit: float) -> Sequence[VisibleText]:
@@ -122,7 +131,9 @@ class PictureView:
         """See `CameraView.picture`."""
         return self._take(width, height, horizontal_fov)
 
-    def visible_objects(self, range_limit: float) -> NoReturn:
+    def visible_objects(
+        self, range_limit: float, wanted: Wanted | None = None
+    ) -> NoReturn:
         """Refuse to tell."""
         raise DetectorError(
             "expected a detector that looks at pictures, such as PictureDetector; this one "

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterable
+from functools import lru_cache
 from typing import NamedTuple, Protocol
 
 from memorymaze.basics.errors import CommandError
@@ -11,6 +12,7 @@ from memorymaze.robot.perception.camera_view import (
     CameraView,
     PixelBox,
     VisibleObject,
+    Wanted,
     place_at_bearing,
 )
 from memorymaze.robot.perception.error_model import ErrorSource, Phantom
@@ -119,7 +121,9 @@ class TruthDetector:
         errors = self._errors
         finds: list[Find] = []
         others: list[VisibleObject] = []
-        for each in view.visible_objects(self._range_limit):
+        # Who may take one thing for another looks at all.
+        wanted = _fitting(query) if errors is None else None
+        for each in view.visible_objects(self._range_limit, wanted):
             score = match_score(query, each.description)
             if score < MATCH_THRESHOLD:
                 others.append(each)
@@ -141,6 +145,12 @@ class TruthDetector:
         ]
         phantoms = errors.phantoms(pose, query, self._range_limit)
         return confused + [_phantom_find(each, name, pose) for each in phantoms]
+
+
+@lru_cache(maxsize=4096)
+def _fitting(query: str) -> Wanted:
+    """Return the test whether a thing fits some words, the same for the same words."""
+    return lambda thing: match_score(query, thing) >= MATCH_THRESHOLD
 
 
 def _find_of(thing: VisibleObject, label: str, score: float) -> Find:

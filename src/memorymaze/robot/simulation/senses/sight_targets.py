@@ -6,10 +6,11 @@ rules of thumb, so that runs which never draw need none of it.
 """
 
 import math
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import NamedTuple
+from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,7 +18,7 @@ from numpy.typing import NDArray
 from memorymaze.basics.geometry.points import FloatArray
 from memorymaze.basics.physics_engine import mujoco
 from memorymaze.robot.perception.appearance import parse_appearance
-from memorymaze.robot.perception.camera_view import ObjectDescription
+from memorymaze.robot.perception.camera_view import ObjectDescription, Wanted
 from memorymaze.robot.simulation.scene import Scene
 from memorymaze.world.sites.records import Door, Landmark, Site
 from memorymaze.world.sites.scene_objects import Movable
@@ -76,6 +77,17 @@ class SightTargets:
     """Vectors from a tile's middle to the middles of two of its edges, (N, 2, 3)."""
     areas: FloatArray
     """Of the tiles, square metres, (N,)."""
+    _asked_for: WeakKeyDictionary[Wanted, dict[int, bool]] = field(
+        default_factory=WeakKeyDictionary[Wanted, dict[int, bool]]
+    )
+
+    def wanted(self, numbers: Iterable[int], wanted: Wanted) -> list[int]:
+        """Return those that one looks for; each is asked about once."""
+        known = self._asked_for.setdefault(wanted, {})
+        for each in numbers:
+            if each not in known:
+                known[each] = wanted(self.descriptions[each])
+        return [each for each in numbers if known[each]]
 
 
 @lru_cache(maxsize=8)

@@ -16,7 +16,12 @@ from memorymaze.basics.geometry.points import FloatArray
 from memorymaze.basics.geometry.pose import Pose
 from memorymaze.basics.physics_engine import mujoco
 from memorymaze.robot.api.steps import CameraPicture
-from memorymaze.robot.perception.camera_view import Draw, VisibleObject, VisibleText
+from memorymaze.robot.perception.camera_view import (
+    Draw,
+    VisibleObject,
+    VisibleText,
+    Wanted,
+)
 from memorymaze.robot.simulation.motion.wheeled_base import ROBOT_GROUP
 from memorymaze.robot.simulation.scene import Scene
 from memorymaze.robot.simulation.senses.sight_targets import (
@@ -54,6 +59,20 @@ class _Seen(NamedTuple):
     thing: VisibleObject
 
 
+class _Asked(NamedTuple):
+    range_limit: float
+    written: bool = False
+    """Whether words are to be written on it."""
+    wanted: Wanted | None = None
+
+    def of(self, targets: SightTargets, numbers: NDArray[np.int64]) -> list[int]:
+        """Return which of some targets one looks for."""
+        if self.written:
+            numbers = numbers[targets.written[numbers]]
+        found = numbers.tolist()
+        return found if self.wanted is None else targets.wanted(found, self.wanted)
+
+
 class RayCamera:
     """One look of the robot's camera; implements `CameraView`."""
 
@@ -69,9 +88,10 @@ class RayCamera:
         self._draw = draw
         self._looked_at: dict[int, _Seen | None] = {}
         """What is seen of the site's targets, by number; None for nothing."""
-        self._answers: dict[tuple[float, bool], list[_Seen]] = {}
-        """By range limit and whether something is to be written on it; a look is one
-        moment, and is often asked about."""
+        self._nearby: dict[float, NDArray[np.int64]] = {}
+        """The site's targets that may be seen, by range limit."""
+        self._answers: dict[_Asked, list[_Seen]] = {}
+        """A look is one moment, and is often asked about."""
         lens = data.cam("eye")
         self._eye = np.array(lens.xpos)
         backwards = lens.xmat.reshape(3, 3)[:, 2]
@@ -90,13 +110,16 @@ class RayCamera:
             raise RenderingError("this view was made without a camera that draws")
         return self._draw(width, height, horizontal_fov)
 
-    def visible_objects(self, range_limit: float) -> list[VisibleObject]:
+    def visible_objects(
+        self, range_limit: float, wanted: Wanted | None = None
+    ) -> list[VisibleObject]:
         """Return the things seen whose nearest seen part is within the limit."""
-        return [each.thing for each in self._things_seen(range_limit)]
+        asked = _Asked(range_limit, wanted=wanted)
+        return [each.thing for each in self._things_seen(asked)]
 
     def visible_texts(self, range_limit: float) -> list[VisibleText]:
         """Return what is written on the things seen within the limit."""
-        bearers = self._things_seen(range_limit, written=True)
+        bearers = self._things_seen(_Asked(range_limit, written=True))
         texts = [self._text_on(each) for each in bearers]
         return [each for each in texts if each is not None]
 
@@ -122,26 +145,28 @@ class RayCamera:
             cut=written.fills_it and _is_cut(seen.thing.box),
         )
 
-    def _things_seen(self, range_limit: float, *, written: bool = False) -> list[_Seen]:
-        """Return the things seen within the limit, or those that words are written on."""
-        asked = range_limit, written
+    def _things_seen(self, asked: _Asked) -> list[_Seen]:
+        """Return the things seen that are asked for."""
         if asked not in self._answers:
             fixed = sight_targets(self._scene)
-            near = self._candidates(fixed, *asked)
+            if asked.range_limit not in self._nearby:
+                reach = self._candidates(fixed, asked.range_limit)
+                self._nearby[asked.range_limit] = reach
+            near = asked.of(fixed, self._nearby[asked.range_limit])
             known = self._looked_at
             known.update(
                 self._look_at(fixed, [each for each in near if each not in known])
             )
             found = [known[each] for each in near]
             if self._scene.movables:
-                reach = range_limit + LARGEST_MOVABLE
+                reach = asked.range_limit + LARGEST_MOVABLE
                 nearby = movable_targets(self._scene, self._data, self._eye, reach)
-                near = self._candidates(nearby, *asked)
+                near = asked.of(nearby, self._candidates(nearby, asked.range_limit))
                 found += self._look_at(nearby, near).values()
             self._answers[asked] = [
                 each
                 for each in found
-                if each is not None and each.thing.distance <= range_limit
+                if each is not None and each.thing.distance <= asked.range_limit
             ]
         return self._answers[asked]
 
@@ -203,20 +228,18 @@ class RayCamera:
         return found
 
     def _candidates(
-        self, targets: SightTargets, range_limit: float, written: bool
-    ) -> list[int]:
+        self, targets: SightTargets, range_limit: float
+    ) -> NDArray[np.int64]:
         """Return things near enough and not behind the lens, by their round hulls."""
         offsets = targets.centres - self._eye
         reach = range_limit + targets.radii
         near = np.einsum("ij,ij->i", offsets, offsets) <= reach**2
-        if written:
-            near &= targets.written
         (numbers,) = near.nonzero()
         offsets, radii = offsets[numbers], targets.radii[numbers]
         ahead, left = offsets @ self._ahead, offsets @ self._left
         # The frustum's side planes lie at 45 degrees.
         inside = (ahead > -radii) & (ahead - abs(left) > -math.sqrt(2) * radii)
-        return numbers[inside].tolist()
+        return numbers[inside]
 
     def _reached(
         self, offsets: FloatArray, distances: FloatArray, geoms: NDArray[np.int32]
