@@ -13,6 +13,7 @@ the content words `W`).
 """
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
@@ -192,20 +193,25 @@ def _drop_inline_counting(text: str) -> str:
     return text
 
 
-def cut(text: str) -> list[Chunk]:
-    """Cut a normalised text into chunks; content words become names of things."""
-    return _with_pronouns(_join_names(_join_ordinals(chunks_of(text)), text))
+def cut(text: str, names: Sequence[str] = ()) -> list[Chunk]:
+    """Cut a normalised text into chunks; content words become names of things.
+
+    `names` are known ones, in lower case, the longest first.
+    """
+    return _with_pronouns(_join_names(_join_ordinals(chunks_of(text, names)), text))
 
 
-def chunks_of(text: str) -> list[Chunk]:
-    """Cut a normalised text into chunks, every content word one of its own."""
+def chunks_of(text: str, names: Sequence[str] = ()) -> list[Chunk]:
+    """Cut a normalised text into chunks, every content word and name one of its own."""
+    named = re.compile(rf"(?:{'|'.join(map(re.escape, names))})(?![\w'-])")
     chunks: list[Chunk] = []
     at = 0
     while at < len(text):
         if text[at] == " ":
             at += 1
             continue
-        chunk = _chunk_at(text, at)
+        name = named.match(text, at) if names else None
+        chunk = Chunk("W", name[0], at) if name else _chunk_at(text, at)
         if chunk is None:
             at += 1
             continue

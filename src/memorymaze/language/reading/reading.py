@@ -14,6 +14,7 @@ from memorymaze.language.reading.destinations import find_destinations, names_in
 from memorymaze.language.reading.lengths import read_totals
 from memorymaze.language.reading.listed_openings import with_listed_openings
 from memorymaze.language.reading.partial_legs import plan_of
+from memorymaze.language.reading.proper_names import proper_names
 from memorymaze.language.reading.repetitions import without_overviews
 from memorymaze.language.reading.things import thing_phrase
 
@@ -33,7 +34,7 @@ _SPEAKER = frozenset({"i", "i'm", "im", "i've", "ive", "me", "my", "mine"})
 def parse_route_description(text: str) -> RoutePlan:
     """Return the plan that an English route description gives."""
     words, totals = read_totals(normalise(text))
-    chunks = with_listed_openings(apply_corrections(cut(words)))
+    chunks = with_listed_openings(apply_corrections(cut(words, proper_names(text))))
     sentences = _sentences(split_clauses(chunks), words)
     if names_in_title(chunks, words):
         said, first = sentences[0]

@@ -1,6 +1,7 @@
 """Names of things and of floors: which words a detector should look for."""
 
 import re
+from itertools import takewhile
 
 from memorymaze.language.plans import Kind
 from memorymaze.language.reading.vocabulary import (
@@ -148,9 +149,14 @@ def is_common(phrase: str) -> bool:
 
 
 def place_on_sign(phrase: str) -> str | None:
-    """Return what a sign names: `library` for `green library sign`; None for no sign."""
+    """Return what a sign names: `library` for `green library sign`; None for no sign.
+
+    >>> place_on_sign("screen that says cafe"), place_on_sign("board room")
+    ('cafe', None)
+    """
     words = phrase.split()
-    if not any(word in SIGNS for word in words):
+    head = [*takewhile(lambda word: word not in SIGN_BINDERS, words)][-1:]
+    if not any(word in SIGNS for word in head) and "sign" not in words:
         return None
     rest = [
         w for w in words if w not in SIGNS and w not in PLAIN and w not in SIGN_BINDERS
