@@ -158,7 +158,8 @@ class WheeledBase:
         if open_floor is not None:
             self._open_floor = open_floor[0], mujoco.MjData(open_floor[0])
             self._room_at = open_floor[1]
-        self._room = 0.0
+        self._asked_at, self._room = (0.0, 0.0), 0.0
+        """Where it was when it was asked for its room, and that."""
         self._geoms = geoms
         self._model = model
         self._groups = moving.geom_group.tolist()
@@ -205,11 +206,12 @@ class WheeledBase:
 
         All that the motion depends on goes along, so that it stays the same bit by bit.
         """
+        here = self._qpos.item(0), self._qpos.item(1)
         reach = (self.speed + MOST_ACCELERATION * seconds / 2) * seconds
-        if reach > self._room:
-            self._room = self._room_at(self.pose[:2]) - KEPT_ROOM
-        model, data = open_floor if reach <= self._room else self._among_walls
-        self._room -= reach
+        if math.dist(self._asked_at, here) + reach > self._room:
+            self._asked_at, self._room = here, self._room_at(here) - KEPT_ROOM
+        has_room = math.dist(self._asked_at, here) + reach <= self._room
+        model, data = open_floor if has_room else self._among_walls
         if data is not self._moving:
             before = self._moving
             self._be_moved_by(model, data)
