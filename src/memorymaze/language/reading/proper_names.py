@@ -16,6 +16,8 @@ _BEGINS = re.compile(
     r"(?:\A|[.!?:;\n\"(]|(?:\A|[\s(])\d+[.)]|\b[Ss]tep \d+)[\s\"(\d.)-]*\Z"
 )
 """What stands before the first word of a sentence, which has a capital anyhow."""
+LOOKED_BACK = 16
+"""Letters before a word that are looked at."""
 EMPHATIC = 0.3
 """Share of words for ways with capitals from which on capitals tell nothing."""
 
@@ -45,7 +47,10 @@ def proper_names(text: str) -> tuple[str, ...]:
 
 
 def _begins(text: str, at: int) -> bool:
-    return _BEGINS.search(text, 0, at) is not None
+    before = text[max(at - LOOKED_BACK, 0) : at]
+    if at > LOOKED_BACK:
+        before = "…" + before
+    return _BEGINS.search(before) is not None
 
 
 @lru_cache(maxsize=4096)
