@@ -43,12 +43,9 @@ def press(page: Page, keys: list[str], done: int = 0) -> None:
         expect(drive).to_have_attribute("data-done", str(number), timeout=ENOUGH)
 
 
+@pytest.mark.proof
 @pytest.mark.parametrize(
-    "width",
-    [
-        pytest.param(390, id="phone"),
-        pytest.param(1280, id="desktop", marks=pytest.mark.proof),
-    ],
+    "width", [pytest.param(390, id="phone"), pytest.param(1280, id="desktop")]
 )
 def test_somebody_drives_by_keyboard_reloads_the_page_and_arrives(
     make_study: MakeStudy,

@@ -78,7 +78,7 @@ class SightTargets:
     areas: FloatArray
     """Of the tiles, square metres, (N,)."""
     _asked_for: WeakKeyDictionary[Wanted, dict[int, bool]] = field(
-        default_factory=WeakKeyDictionary[Wanted, dict[int, bool]]
+        init=False, default_factory=WeakKeyDictionary[Wanted, dict[int, bool]]
     )
 
     def wanted(self, numbers: Iterable[int], wanted: Wanted) -> list[int]:
