@@ -67,7 +67,10 @@ def test_a_pair_is_the_same_outside_the_sentences_with_errors(
     assert wrong.failures
     assert not right.failures
     assert wrong.text != right.text
-    if wrong.failures[0].kind != "wrong_destination":
+    kind = wrong.failures[0].kind
+    # A turn too many may stand between two that are else told in one sentence.
+    parts = kind == "extra_turn" and "merged_turns" in {s.kind for s in right.spans}
+    if kind != "wrong_destination" and not parts:
         others = [each for each in _sentences(wrong) if each not in _sentences(right)]
         assert not others, (wrong.text, right.text)
 
