@@ -42,17 +42,19 @@ endif
 	@echo "replayed from $(TABLE_TWO)/replies.jsonl: the same table"
 endif
 
-# Bytecode is kept, or each of the many processes that tests start would compile all anew.
-PYTEST := PYTHONDONTWRITEBYTECODE= $(BIN)/pytest
+# One more than there are cores, as some tests wait for browsers and processes. Bytecode is
+# kept, or each of the many processes that tests start would compile all anew.
+TESTERS := $(shell expr $$(getconf _NPROCESSORS_ONLN) + 1)
+PYTEST := PYTHONDONTWRITEBYTECODE= $(BIN)/pytest -n $(TESTERS) --dist worksteal
 
 test: setup
-	$(PYTEST) -n auto --dist worksteal
+	$(PYTEST)
 
 # What takes too long for every change: long runs, kills, load, browsers, many buildings,
 # properties by many examples; and the tests with a language model, where
 # `make test-local-llm` has set one up.
 proof: setup
-	$(PYTEST) -n auto --dist worksteal -m "(proof or hypothesis) and not local_llm" \
+	$(PYTEST) -m "(proof or hypothesis) and not local_llm" \
 		--hypothesis-profile thorough
 	if $(BIN)/python -c 'import llama_cpp' 2>/dev/null; then $(BIN)/pytest -n 0 -m local_llm tests; fi
 
@@ -68,7 +70,7 @@ check: setup
 	$(BIN)/codespell README.md CHANGELOG.md CONTRIBUTING.md docs src tests benchmarks examples scripts
 	$(BIN)/pyright
 	$(BIN)/lint-imports
-	$(PYTEST) -n auto --dist worksteal
+	$(PYTEST)
 
 # The pages as a site, in site/; fails where a link leads nowhere.
 docs: setup
