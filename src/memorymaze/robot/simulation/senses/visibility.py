@@ -73,6 +73,14 @@ class _Asked(NamedTuple):
         return found if self.wanted is None else targets.wanted(found, self.wanted)
 
 
+class _Reach(NamedTuple):
+    """Targets, which of them may be seen, and what was seen of those looked at."""
+
+    targets: SightTargets
+    numbers: NDArray[np.int64]
+    looked_at: dict[int, _Seen | None]
+
+
 class RayCamera:
     """One look of the robot's camera; implements `CameraView`."""
 
@@ -88,10 +96,8 @@ class RayCamera:
         self._draw = draw
         self._looked_at: dict[int, _Seen | None] = {}
         """What is seen of the site's targets, by number; None for nothing."""
-        self._nearby: dict[float, NDArray[np.int64]] = {}
-        """The site's targets that may be seen, by range limit."""
-        self._answers: dict[_Asked, list[_Seen]] = {}
-        """A look is one moment, and is often asked about."""
+        self._reaches: dict[float, list[_Reach]] = {}
+        """By range limit; a look is one moment, and is often asked about."""
         lens = data.cam("eye")
         self._eye = np.array(lens.xpos)
         backwards = lens.xmat.reshape(3, 3)[:, 2]
@@ -147,28 +153,32 @@ class RayCamera:
 
     def _things_seen(self, asked: _Asked) -> list[_Seen]:
         """Return the things seen that are asked for."""
-        if asked not in self._answers:
+        found: list[_Seen | None] = []
+        for reach in self._within(asked.range_limit):
+            near = asked.of(reach.targets, reach.numbers)
+            known = reach.looked_at
+            unknown = [each for each in near if each not in known]
+            known.update(self._look_at(reach.targets, unknown))
+            found += [known[each] for each in near]
+        return [
+            each
+            for each in found
+            if each is not None and each.thing.distance <= asked.range_limit
+        ]
+
+    def _within(self, range_limit: float) -> list[_Reach]:
+        """Return what may be seen within the limit: of the site, and of what moves in it."""
+        if range_limit not in self._reaches:
             fixed = sight_targets(self._scene)
-            if asked.range_limit not in self._nearby:
-                reach = self._candidates(fixed, asked.range_limit)
-                self._nearby[asked.range_limit] = reach
-            near = asked.of(fixed, self._nearby[asked.range_limit])
-            known = self._looked_at
-            known.update(
-                self._look_at(fixed, [each for each in near if each not in known])
-            )
-            found = [known[each] for each in near]
+            numbers = self._candidates(fixed, range_limit)
+            reaches = [_Reach(fixed, numbers, self._looked_at)]
             if self._scene.movables:
-                reach = asked.range_limit + LARGEST_MOVABLE
+                reach = range_limit + LARGEST_MOVABLE
                 nearby = movable_targets(self._scene, self._data, self._eye, reach)
-                near = asked.of(nearby, self._candidates(nearby, asked.range_limit))
-                found += self._look_at(nearby, near).values()
-            self._answers[asked] = [
-                each
-                for each in found
-                if each is not None and each.thing.distance <= asked.range_limit
-            ]
-        return self._answers[asked]
+                numbers = self._candidates(nearby, range_limit)
+                reaches.append(_Reach(nearby, numbers, {}))
+            self._reaches[range_limit] = reaches
+        return self._reaches[range_limit]
 
     def _look_at(
         self, targets: SightTargets, numbers_of: list[int]
