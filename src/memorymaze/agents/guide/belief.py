@@ -386,10 +386,8 @@ class Belief:
     def _hint(self, at: int, exit: int, ways: int) -> float:
         """Weigh a way out against the signs that point to the destination there."""
         ratio = 1.0
-        if at not in self.pointers:
-            return ratio
         right = self.model.sign_right
-        for heading in self.pointers[at]:
+        for heading in self.pointers.get(at, ()):
             out = self.floor.crossings[at].exits[exit]
             if abs(wrap_angle(out - heading)) <= POINTED_AT:
                 ratio *= max(ways, 2) * right

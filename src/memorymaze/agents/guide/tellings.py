@@ -97,8 +97,6 @@ class Telling:
         frontier = self.belief.frontiers.get(key)
         if frontier is None:
             return 0.0
-        if not self.breaks_off:
-            return frontier.mass / self.total
         masses = (
             mass
             for segment, _, mass in frontier.alignments
