@@ -236,8 +236,7 @@ class Belief:
             openings=(*segment.openings, (segment.places, left, right, counts)),
         )
         for index, angle in choices.ways:
-            hint = self._hint(segment.at, index, len(choices.ways))
-            base = segment.weights * hint
+            base = self._by_signs(segment, index, choices)
             if ahead is not None and index == ahead[0]:
                 chance = model.pass_untold if junction else 1.0
                 chance *= untold_bend(model, angle)
@@ -331,15 +330,12 @@ class Belief:
         choices: Choices,
     ) -> None:
         ahead = choices.forward
-        if ahead is None or not segment.walked:
+        weights = weights * self.model.pass_untold
+        if ahead is None or not segment.walked or self._is_light(weights):
             return
+        legs = len(self.plan.legs)
         self._add(
-            segment._replace(
-                leg=len(self.plan.legs),
-                weights=weights * self.model.pass_untold,
-                story=story,
-                slips=slips,
-            ),
+            segment._replace(leg=legs, weights=weights, story=story, slips=slips),
             ahead[0],
         )
 
@@ -359,8 +355,10 @@ class Belief:
             elif not fine:
                 wrong = self.model.wrong_side * (1.0 if abs(angle) > 0.26 else 0.5)
             fine *= self.things.outlook_ratio(segment.at, index, number + 1)
-            hint = self._hint(segment.at, index, len(choices.ways))
-            weights = then(segment.weights * hint, fine, wrong, self.model.again)
+            signs = self._by_signs(segment, index, choices)
+            weights = then(signs, fine, wrong, self.model.again)
+            if self._is_light(weights):
+                continue
             story = (*segment.story, f"turn {number + 1} at {segment.at}")
             slips = segment.slips
             if not fine:
@@ -379,26 +377,27 @@ class Belief:
             )
             self._add(done, index)
             following = self._said.leg_of(done)
-            at_once = anew and following is not None and following.on_the_spot
-            if at_once and not self._is_light(done.weights):
+            if anew and following is not None and following.on_the_spot:
                 self._turn(done, self._choices(segment.at, done.heading))
 
-    def _hint(self, at: int, exit: int, ways: int) -> float:
+    def _by_signs(self, segment: Segment, exit: int, choices: Choices) -> Weights:
         """Weigh a way out against the signs that point to the destination there."""
+        headings = self.pointers.get(segment.at)
+        if not headings:
+            return segment.weights
+        out = self.floor.crossings[segment.at].exits[exit]
+        ways, right = len(choices.ways), self.model.sign_right
         ratio = 1.0
-        right = self.model.sign_right
-        for heading in self.pointers.get(at, ()):
-            out = self.floor.crossings[at].exits[exit]
+        for heading in headings:
             if abs(wrap_angle(out - heading)) <= POINTED_AT:
                 ratio *= max(ways, 2) * right
             else:
                 ratio *= max(ways, 2) * (1 - right) / max(ways - 1, 1)
-        return ratio
+        return segment.weights * ratio
 
     def _add(self, segment: Segment, exit: int) -> None:
-        if not self._is_light(segment.weights):
-            level = self._levels[segment.leg]
-            level.setdefault((segment.at, exit), []).append(segment)
+        level = self._levels[segment.leg]
+        level.setdefault((segment.at, exit), []).append(segment)
 
     def _is_light(self, weights: Weights) -> bool:
         return mass_of(weights) < self._least * self._heaviest
