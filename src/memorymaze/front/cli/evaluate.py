@@ -81,6 +81,7 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
 
 def _run(options: argparse.Namespace) -> int | None:
     from memorymaze.basics.errors import SettingsError
+    from memorymaze.basics.processes import start_server
 
     if options.workers < 0:
         raise SettingsError(
@@ -88,6 +89,9 @@ def _run(options: argparse.Namespace) -> int | None:
         )
     if options.resume and options.out is None:
         raise SettingsError("--resume: name the run's folder with --out")
+    if options.ray is None:
+        # It imports all that episodes need, while the texts are read here.
+        start_server("memorymaze.runs.work.episode_worker")
     return (
         _evaluate_agent(options) if options.suite is None else _evaluate_suite(options)
     )

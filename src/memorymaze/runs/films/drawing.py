@@ -16,7 +16,12 @@ from numpy.typing import NDArray
 
 from memorymaze.basics.errors import MemoryMazeError
 from memorymaze.basics.geometry.pose import Pose, turn_between
-from memorymaze.basics.processes import available_cores, die_with_parent, main_left_out
+from memorymaze.basics.processes import (
+    available_cores,
+    die_with_parent,
+    main_left_out,
+    start_server,
+)
 from memorymaze.basics.video_file import planes_of, require_encoder, video_frame
 from memorymaze.runs.films.settings import WalkthroughSettings
 from memorymaze.world.cameras.camera import RenderedCamera
@@ -105,7 +110,7 @@ def _drawn_by_processes(
 ) -> Generator[NDArray[np.uint8]]:
     useful = min(MOST_PROCESSES, math.ceil(len(poses) / POSES_EACH))
     workers = max(1, min(available_cores(), useful))
-    PROCESSES.set_forkserver_preload([__name__, "av.filter"])
+    start_server(__name__, "av.filter")
     pool = ProcessPoolExecutor(
         workers, PROCESSES, initializer=_begin, initargs=(site, settings)
     )

@@ -6,15 +6,19 @@ import math
 import multiprocessing
 import os
 import signal
-from collections.abc import Callable, Generator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from multiprocessing import resource_tracker
 from multiprocessing.connection import Connection, wait
 from pathlib import Path
 from typing import Literal
 
 from memorymaze.basics.errors import MemoryMazeError
-from memorymaze.basics.processes import available_cores, die_with_parent, main_left_out
+from memorymaze.basics.processes import (
+    available_cores,
+    die_with_parent,
+    main_left_out,
+    start_server,
+)
 from memorymaze.basics.wording import counted
 from memorymaze.runs.episodes.plan import RunPlan
 from memorymaze.runs.episodes.settings import RunDefinition
@@ -25,11 +29,7 @@ from memorymaze.runs.work.episode_worker import (
 )
 from memorymaze.runs.work.worker_pool import LEAVING_TIME, WorkerDied
 
-# Children of a server hold no locks or threads of the parent's libraries, and begin with
-# what the server has imported once for all of them.
 PROCESSES = multiprocessing.get_context("forkserver")
-_THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
-PROCESSES.set_forkserver_preload(["memorymaze.runs.work.episode_worker"])
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,22 +91,6 @@ class LocalSource:
         return [w for w in workers if w.connection in there or not w.is_alive()]
 
 
-@contextlib.contextmanager
-def _one_thread_each() -> Generator[None]:
-    """Have linear algebra in the processes started here take one core, unless told otherwise.
-
-    Workers share the cores already; their threads would wait for each other. It holds
-    where the library is loaded, in the server; what agents load later sees nothing of it.
-    """
-    unset = [name for name in _THREADS if name not in os.environ]
-    os.environ.update(dict.fromkeys(unset, "1"))
-    try:
-        yield
-    finally:
-        for name in unset:
-            del os.environ[name]
-
-
 class LocalWorker:
     """A process of this machine, and the connection to it."""
 
@@ -118,16 +102,9 @@ class LocalWorker:
         stderr = Connection(os.dup(2), readable=False)
         given = (theirs, stderr, {**os.environ})
         self._process = PROCESSES.Process(target=_work, args=given)
-        # Ctrl-C reaches every process of the terminal; the parent decides what it means.
-        # A blocked signal stays blocked in the server that this starts, and its children;
-        # what tracks resources would unblock it if it was started only then.
-        resource_tracker.ensure_running()
-        before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
-        try:
-            with main_left_out(), _one_thread_each():
-                self._process.start()
-        finally:
-            signal.pthread_sigmask(signal.SIG_SETMASK, before)
+        start_server(EpisodeWorker.__module__)
+        with main_left_out():
+            self._process.start()
         theirs.close()
         stderr.close()
 

@@ -8,15 +8,17 @@ from concurrent.futures.process import BrokenProcessPool
 from typing import TypeVar
 
 from memorymaze.basics.errors import MemoryMazeError
-from memorymaze.basics.processes import available_cores, die_with_parent, main_left_out
+from memorymaze.basics.processes import (
+    available_cores,
+    die_with_parent,
+    main_left_out,
+    start_server,
+)
 
 Task = TypeVar("Task")
 _Result = TypeVar("_Result")
 
-# Children of a server hold no locks or threads of the parent's libraries, and begin with
-# what the server has imported once for all of them.
 PROCESSES = multiprocessing.get_context("forkserver")
-PROCESSES.set_forkserver_preload(["memorymaze.texts.datasets"])
 
 
 def done_by_processes(
@@ -33,6 +35,7 @@ def done_by_processes(
     if workers <= 1:
         yield from map(do, tasks)
         return
+    start_server("memorymaze.texts.datasets")
     pool = ProcessPoolExecutor(workers, PROCESSES, initializer=_begin)
     try:
         with main_left_out():

@@ -10,7 +10,6 @@ import os
 import signal
 import threading
 from collections.abc import Callable
-from multiprocessing import forkserver
 from multiprocessing.connection import Connection
 from typing import Any
 
@@ -21,12 +20,6 @@ PROCESSES = multiprocessing.get_context("forkserver")
 
 Work = Callable[[Connection], None]
 """What a process does, with its end of the connection; pickled on the way there."""
-
-
-def prepare_processes(module: str) -> None:
-    """Import a module before the first robot is asked for; children begin with it."""
-    PROCESSES.set_forkserver_preload([module])
-    forkserver.ensure_running()
 
 
 class ProcessLost(Exception):

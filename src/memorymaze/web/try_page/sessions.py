@@ -9,12 +9,9 @@ from functools import partial
 from typing import Any, Literal
 
 from memorymaze.basics.errors import MemoryMazeError
+from memorymaze.basics.processes import start_server
 from memorymaze.runs.episodes.settings import AgentSettings, RunSettings
-from memorymaze.web.serving.live_process import (
-    LiveProcess,
-    ProcessLost,
-    prepare_processes,
-)
+from memorymaze.web.serving.live_process import LiveProcess, ProcessLost
 from memorymaze.web.try_page.walk import (
     News,
     Pace,
@@ -96,7 +93,7 @@ class Visits:
 
     def __enter__(self) -> "Visits":
         """Begin to look after those who left."""
-        prepare_processes("memorymaze.web.try_page.walk")
+        start_server("memorymaze.web.try_page.walk")
         threading.Thread(target=self._look_after, daemon=True).start()
         return self
 

@@ -14,12 +14,9 @@ from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 from memorymaze.basics.errors import StudyError
+from memorymaze.basics.processes import start_server
 from memorymaze.texts.corpus.records import Episode
-from memorymaze.web.serving.live_process import (
-    LiveProcess,
-    ProcessLost,
-    prepare_processes,
-)
+from memorymaze.web.serving.live_process import LiveProcess, ProcessLost
 from memorymaze.web.studies.follow.texts import TextsToFollow
 from memorymaze.web.studies.follow.walk import (
     COMMANDS,
@@ -133,7 +130,7 @@ class Drives:
                 known = _text_of(self._store, who.id, _step(route.route))
                 if known is not None:
                     self._texts.episode(known)
-        prepare_processes("memorymaze.web.studies.follow.walk")
+        start_server("memorymaze.web.studies.follow.walk")
         return self
 
     def __exit__(self, *_: object) -> None:
