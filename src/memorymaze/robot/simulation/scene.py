@@ -229,8 +229,9 @@ def _open_floor(spec: Any) -> mujoco.MjModel:
     for geom in list(spec.worldbody.geoms)[1:]:
         spec.delete(geom)
     model = spec.compile()
-    # The robot's contacts are one island; it need not be looked for.
+    # The robot's contacts are one island, and its parts are few: neither is looked for.
     model.opt.disableflags |= mujoco.mjtDisableBit.mjDSBL_ISLAND
+    model.opt.disableflags |= mujoco.mjtDisableBit.mjDSBL_MIDPHASE
     return model
 
 
