@@ -49,7 +49,7 @@ class View:
     def __init__(self, *texts: VisibleText) -> None:
         self.texts = texts
 
-    def visible_texts(self, range_limit: float):
+    def visible_texts(self, range_limit: float, widest: float = math.pi):
         return [each for each in self.texts if each.bearer.distance <= range_limit]
 
 

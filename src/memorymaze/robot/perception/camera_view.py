@@ -86,8 +86,13 @@ class CameraView(Protocol):
         """
         ...
 
-    def visible_texts(self, range_limit: float) -> Sequence[VisibleText]:
-        """Return what is written on them, readable or not."""
+    def visible_texts(
+        self, range_limit: float, widest: float = math.pi
+    ) -> Sequence[VisibleText]:
+        """Return what is written on them, readable or not.
+
+        What is turned away by more than `widest`, radians, is not looked at.
+        """
         ...
 
     def picture(
@@ -140,7 +145,7 @@ class PictureView:
             "wants to be told what is seen, which only a simulation can"
         )
 
-    def visible_texts(self, range_limit: float) -> NoReturn:
+    def visible_texts(self, range_limit: float, widest: float = math.pi) -> NoReturn:
         """Refuse to tell."""
         raise DetectorError(
             "expected a reader that looks at pictures, such as PictureSignReader; this one "

@@ -71,7 +71,8 @@ class TruthSignReader:
     def read(self, view: CameraView) -> list[SignText]:
         """Return the texts that can be read, the nearest first."""
         found: list[_Found] = []
-        for seen in filter(_readable, view.visible_texts(READING_RANGE)):
+        texts = view.visible_texts(READING_RANGE, WIDEST_FACING)
+        for seen in filter(_readable, texts):
             text, on = single_spaced(seen.text), seen.bearer
             sighting = SingleSighting(text, on.position, on.length)
             found.append(_Found(on.distance, on.bearing, text, sighting))

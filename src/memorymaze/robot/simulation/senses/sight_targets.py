@@ -296,12 +296,10 @@ class Inscription(NamedTuple):
 
 
 @lru_cache(maxsize=4096)
-def inscription(scene: Scene, geom: int) -> Inscription | None:
-    """Return what is written on a door, landmark or thing; None where nothing is."""
+def inscription(scene: Scene, geom: int) -> Inscription:
+    """Return what is written on a door, landmark or thing that bears words."""
     record = scene.objects[geom].record
-    if isinstance(record, Door):
-        if not record.label:
-            return None
+    if isinstance(record, Door) and record.label:
         (ax, ay), (bx, by) = [point[:2] for point in record.line.coords]
         room = math.hypot(bx - ax, by - ay) - 0.24
         width = min(0.062 * len(record.label) + 0.08, max(room, 0.3))
@@ -309,7 +307,7 @@ def inscription(scene: Scene, geom: int) -> Inscription | None:
         return Inscription(record.label, height, both_sides=True, fills_it=False)
     text = getattr(record, "text", None)
     if not text:
-        return None
+        raise ValueError(f"geom {geom}: expected something with words, got {record!r}")
     length, depth, tall = record.size  # type: ignore[union-attr]
     is_board = depth <= BOARD_DEPTH
     field = min(tall, LARGEST_FIELD) if is_board else STRIP

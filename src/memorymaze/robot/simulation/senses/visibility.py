@@ -6,6 +6,7 @@ them. Rooms are not things: one sees their doors and signs.
 """
 
 import math
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -59,18 +60,8 @@ class _Seen(NamedTuple):
     thing: VisibleObject
 
 
-class _Asked(NamedTuple):
-    range_limit: float
-    written: bool = False
-    """Whether words are to be written on it."""
-    wanted: Wanted | None = None
-
-    def of(self, targets: SightTargets, numbers: NDArray[np.int64]) -> list[int]:
-        """Return which of some targets one looks for."""
-        if self.written:
-            numbers = numbers[targets.written[numbers]]
-        found = numbers.tolist()
-        return found if self.wanted is None else targets.wanted(found, self.wanted)
+_Choose = Callable[[SightTargets, NDArray[np.int64]], list[int]]
+"""Which of some targets, by their numbers, one looks for."""
 
 
 class _Reach(NamedTuple):
@@ -120,42 +111,57 @@ class RayCamera:
         self, range_limit: float, wanted: Wanted | None = None
     ) -> list[VisibleObject]:
         """Return the things seen whose nearest seen part is within the limit."""
-        asked = _Asked(range_limit, wanted=wanted)
-        return [each.thing for each in self._things_seen(asked)]
 
-    def visible_texts(self, range_limit: float) -> list[VisibleText]:
+        def looked_for(targets: SightTargets, numbers: NDArray[np.int64]) -> list[int]:
+            near = numbers.tolist()
+            return near if wanted is None else targets.wanted(near, wanted)
+
+        return [each.thing for each in self._things_seen(range_limit, looked_for)]
+
+    def visible_texts(
+        self, range_limit: float, widest: float = math.pi
+    ) -> list[VisibleText]:
         """Return what is written on the things seen within the limit."""
-        bearers = self._things_seen(_Asked(range_limit, written=True))
-        texts = [self._text_on(each) for each in bearers]
-        return [each for each in texts if each is not None]
 
-    def _text_on(self, seen: _Seen) -> VisibleText | None:
+        def turned_here(targets: SightTargets, numbers: NDArray[np.int64]) -> list[int]:
+            written = numbers[targets.written[numbers]]
+            geoms = zip(written.tolist(), targets.geoms[written].tolist(), strict=True)
+            return [each for each, geom in geoms if self._facing(geom) <= widest]
+
+        bearers = self._things_seen(range_limit, turned_here)
+        return [self._text_on(each) for each in bearers]
+
+    def _text_on(self, seen: _Seen) -> VisibleText:
         written = inscription(self._scene, seen.geom)
-        if written is None:
-            return None
-        front = self._data.geom_xmat[seen.geom].reshape(3, 3)[:, 0]
-        half_depth = self._scene.model.geom_size[seen.geom][0]
-        middle = self._data.geom_xpos[seen.geom] + half_depth * front
-        to_eye = self._eye - middle
-        facing = math.acos(
-            float(np.clip(front[:2] @ to_eye[:2] / np.hypot(*to_eye[:2]), -1, 1))
-        )
-        if written.both_sides:
-            facing = min(facing, math.pi - facing)
-        depth = max(float(-to_eye @ self._ahead), NEAREST)
+        _, to_lens = self._front_and_lens(seen.geom)
+        depth = max(float(-to_lens @ self._ahead), NEAREST)
         return VisibleText(
             text=written.text,
             bearer=seen.thing,
-            facing=facing,
+            facing=self._facing(seen.geom),
             letter_height=written.letter_height * FOCAL_LENGTH / depth,
             cut=written.fills_it and _is_cut(seen.thing.box),
         )
 
-    def _things_seen(self, asked: _Asked) -> list[_Seen]:
-        """Return the things seen that are asked for."""
+    def _facing(self, geom: int) -> float:
+        """Return how far a text on a thing is turned away from the lens; radians."""
+        (x, y, _), (to_x, to_y, _) = map(np.ndarray.tolist, self._front_and_lens(geom))
+        cosine = (x * to_x + y * to_y) / math.hypot(to_x, to_y)
+        facing = math.acos(min(max(cosine, -1.0), 1.0))
+        both_sides = inscription(self._scene, geom).both_sides
+        return min(facing, math.pi - facing) if both_sides else facing
+
+    def _front_and_lens(self, geom: int) -> tuple[FloatArray, FloatArray]:
+        """Return where the front of a thing looks, and the vector from it to the lens."""
+        front = self._data.geom_xmat[geom].reshape(3, 3)[:, 0]
+        half_depth = self._scene.model.geom_size[geom, 0]
+        return front, self._eye - (self._data.geom_xpos[geom] + half_depth * front)
+
+    def _things_seen(self, range_limit: float, choose: _Choose) -> list[_Seen]:
+        """Return the things seen that are chosen."""
         found: list[_Seen | None] = []
-        for reach in self._within(asked.range_limit):
-            near = asked.of(reach.targets, reach.numbers)
+        for reach in self._within(range_limit):
+            near = choose(reach.targets, reach.numbers)
             known = reach.looked_at
             unknown = [each for each in near if each not in known]
             known.update(self._look_at(reach.targets, unknown))
@@ -163,7 +169,7 @@ class RayCamera:
         return [
             each
             for each in found
-            if each is not None and each.thing.distance <= asked.range_limit
+            if each is not None and each.thing.distance <= range_limit
         ]
 
     def _within(self, range_limit: float) -> list[_Reach]:
