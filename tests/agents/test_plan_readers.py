@@ -43,7 +43,10 @@ def test_a_model_writes_the_plan_of_a_text() -> None:
 
 
 def test_what_two_readers_make_of_a_text_counts_as_two_tellings_if_it_differs() -> None:
-    text = "Past the sofa, take a right, I mean a left, and it's the second door there."
+    text = (
+        "Slightly left. You follow it. Bear left at the black bench. "
+        "Cinema will be on the right."
+    )
     readers = GrammarReader(), LearnedReader()
     plans = [each.read(text, Journal()) for each in readers]
     assert plans[0] != plans[1]
@@ -52,6 +55,23 @@ def test_what_two_readers_make_of_a_text_counts_as_two_tellings_if_it_differs() 
     assert twice == [plans, plans]
     [[nothing]] = BothReader().read_tellings("", Journal())
     assert nothing.legs == ()
+
+
+def test_a_room_that_is_only_passed_is_no_destination_once_both_have_read_the_text() -> (
+    None
+):
+    text = "Left at room 1111. On the right there's room 1112. Human Resources, on the right."
+    alone = GrammarReader().read(text, Journal())
+    assert alone.arrival.destinations == ("door that says 1112",)
+    [plans] = BothReader().read_tellings(text, Journal())
+    assert {each.arrival.destinations for each in plans} == {("human resource",)}
+
+
+def test_a_reader_that_finds_no_destination_takes_the_others() -> None:
+    text = "At the Lecture Theater, right. Lecture Theater, on your left."
+    assert LearnedReader().read(text, Journal()).arrival.destinations == ()
+    [plans] = BothReader().read_tellings(text, Journal())
+    assert {each.arrival.destinations for each in plans} == {("lecture theater",)}
 
 
 def test_a_reply_that_is_no_plan_is_asked_for_once_more_with_what_is_wrong() -> None:

@@ -6,7 +6,8 @@ reply is no plan; or not at all, where the text is a plan already.
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 from itertools import count
 from typing import Literal
 
@@ -31,11 +32,15 @@ from memorymaze.language.models.prompt_texts import load_prompt, prompt_version
 from memorymaze.language.plans import RoutePlan, parse_plan
 from memorymaze.language.plans.grammar import plan_grammar
 from memorymaze.language.reading import parse_route_description
-from memorymaze.language.reading.marking import read_by_marks
+from memorymaze.language.reading.marking import destination_chance, read_by_marks
 
 ReaderName = Literal["both", "grammar", "learned", "model", "plan"]
 """The grammar and the network that was trained, one of them, a language model, or nobody:
 the instruction is the JSON of a plan."""
+
+
+TAKEN_FOR_ELSE = 0.1
+"""Probability of the destination below which the network takes words for something else."""
 
 
 class PlanReader(ABC):
@@ -114,14 +119,30 @@ class BothReader(GrammarReader):
         """Return what both make of each telling.
 
         It is one plan where they agree, and where one of them finds no turn at all: that
-        one has missed them.
+        one has missed them. Who finds no destination takes the other's, and of the
+        grammar's those are left out that the network takes for something else.
         """
         tellings: list[list[RoutePlan]] = []
         for telling in tellings_of(instruction):
-            read = parse_route_description(telling), read_by_marks(telling)
+            parsed, marked = parse_route_description(telling), read_by_marks(telling)
+            names = parsed.arrival.destinations
+            others = marked.arrival.destinations
+            names = (
+                tuple(filter(partial(_may_be_meant, telling), names)) or others or names
+            )
+            read = _to(names, parsed), _to(others or names, marked)
             with_turns = [plan for plan in read if plan.legs]
             tellings.append(list(dict.fromkeys(with_turns or read[:1])))
         return tellings
+
+
+def _may_be_meant(text: str, name: str) -> bool:
+    chance = destination_chance(text, name.split()[-1])
+    return chance is None or chance >= TAKEN_FOR_ELSE
+
+
+def _to(destinations: tuple[str, ...], plan: RoutePlan) -> RoutePlan:
+    return replace(plan, arrival=replace(plan.arrival, destinations=destinations))
 
 
 class WrittenPlanReader(PlanReader):

@@ -7,24 +7,53 @@ hold how it is trained (`benchmarks.marking`) or the grammar that reads beside i
 from functools import lru_cache
 from pathlib import Path
 
-from memorymaze.language.plans import RoutePlan
-from memorymaze.language.reading.marking.marks import Marker
-from memorymaze.language.reading.marking.network import Network
-from memorymaze.language.reading.marking.plans import plan_of_marks
-from memorymaze.language.reading.marking.word_pieces import words_in
+import numpy as np
 
-__all__ = ["read_by_marks"]
+from memorymaze.language.nouns import singular
+from memorymaze.language.plans import RoutePlan
+from memorymaze.language.reading.marking.marks import DESTINATION, Marker
+from memorymaze.language.reading.marking.network import Judged, Network
+from memorymaze.language.reading.marking.plans import plan_of_marks
+from memorymaze.language.reading.marking.word_pieces import Word, words_in
+
+__all__ = ["destination_chance", "read_by_marks"]
 
 WEIGHTS = Path(__file__).with_name("data") / "marker.npz"
 
 
 def read_by_marks(text: str) -> RoutePlan:
     """Return the plan that an English route description gives, as the network marks it."""
-    words = words_in(text)
+    words, judged = _judged(text)
     if not words:
         return RoutePlan()
-    network, marker = _trained()
-    return plan_of_marks(text, marker.marks(words, network.judge(words)))
+    _, marker = _trained()
+    return plan_of_marks(text, marker.marks(words, judged))
+
+
+def destination_chance(text: str, word: str) -> float | None:
+    """Return how likely a word in lower case names the destination, to the network.
+
+    Where a text says it several times, the most; None where it does not say it.
+    """
+    words, judged = _judged(text)
+    plain = [each.text.casefold() for each in words[: len(judged.labels)]]
+    said = [n for n, each in enumerate(plain) if word in {each, singular(each)}]
+    if not said:
+        return None
+    network, _ = _trained()
+    begun = 1 + 2 * network.kinds.index(DESTINATION)
+    chances = np.exp(judged.labels[said, begun : begun + 2]).sum(axis=1)
+    return float(chances.max())
+
+
+@lru_cache(maxsize=4)
+def _judged(text: str) -> tuple[list[Word], Judged]:
+    """Return the words of a text and what the network makes of them."""
+    words = words_in(text)
+    if not words:
+        return [], Judged(np.zeros((0, 0)), np.zeros((0, 3)))
+    network, _ = _trained()
+    return words, network.judge(words)
 
 
 @lru_cache(maxsize=1)
