@@ -66,8 +66,11 @@ MOST_WIDER = 4
 INSIDE = 2.0
 """Metres to walk on into a place through its door."""
 
-UNIQUE = 0.08
-"""How often a name told of a destination is met elsewhere, beside other things."""
+UNIQUE, IN_PART = 0.08, 0.25
+"""How often a name told of a destination is met elsewhere, beside other things; and
+something that fits it in part, as a conference room does a board room."""
+IN_FULL = 0.95
+"""Score from which on something fits a name in full."""
 NTH = 3.0, 0.3, 0.1
 """Weights of what is counted rightly, one off, and more."""
 BACK_AT_START = 0.05
@@ -337,7 +340,8 @@ class Arrivals:
         if sighting.phrase in self.kin:
             rate = max(rate, model.common_rate)
         elif not is_common(sighting.phrase) and not self._is_told_apart:
-            rate, most = UNIQUE * rate, MOST_SEEN / UNIQUE
+            often = UNIQUE if sighting.score >= IN_FULL else IN_PART
+            rate, most = often * rate, MOST_SEEN / often
         there = (1 - model.misnamed) * model.detected * sighting.score
         ratio = seen_ratio(rate, REACH, there, most)
         if sighting.phrase not in self._first:
@@ -484,7 +488,7 @@ def walk_up_to(walker: Walker, sighting: Sighting, names: tuple[str, ...] = ()) 
     elif "hanging" in sighting.label or _is_written_above(sighting, walker):
         _enter(walker, sighting, names)
     else:
-        _face(walker, sighting)
+        stand_before(walker, sighting)
         if is_sign(sighting.label):
             _go_to_its_place(walker, sighting, names)
 
@@ -516,9 +520,11 @@ def _go_to_its_place(walker: Walker, sign: Sighting, names: tuple[str, ...]) -> 
         if each.phrase == DOOR and math.dist(each.place, sign.place) <= DOOR_BESIDE
     ]
     if beside:
-        _face(walker, beside[0])
+        stand_before(walker, beside[0])
     elif doors:
-        _face(walker, min(doors, key=lambda each: math.dist(each.place, sign.place)))
+        stand_before(
+            walker, min(doors, key=lambda each: math.dist(each.place, sign.place))
+        )
 
 
 def _enter(walker: Walker, sighting: Sighting, names: tuple[str, ...]) -> None:
@@ -536,8 +542,8 @@ def _enter(walker: Walker, sighting: Sighting, names: tuple[str, ...]) -> None:
             return
 
 
-def _face(walker: Walker, sighting: Sighting) -> None:
-    """Leave the middle of the way for a thing that stands beside it."""
+def stand_before(walker: Walker, sighting: Sighting) -> None:
+    """Leave the middle of the way for a thing that stands beside it, seen now or before."""
     dx = sighting.place[0] - walker.place[0]
     dy = sighting.place[1] - walker.place[1]
     distance = math.hypot(dx, dy)

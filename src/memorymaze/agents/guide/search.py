@@ -13,7 +13,7 @@ from memorymaze.agents.guide.alignments import (
     Slip,
     mass_of,
 )
-from memorymaze.agents.guide.arriving import Ending, walk_up_to
+from memorymaze.agents.guide.arriving import Ending, stand_before, walk_up_to
 from memorymaze.agents.guide.asking import ANSWER_TRUST, Answer, Inquiry, Situation
 from memorymaze.agents.guide.choosing import Choice
 from memorymaze.agents.guide.likelihoods import Likelihoods
@@ -418,8 +418,11 @@ class Search:
                     return True
             step = min(goal, 0.8)
             if not walker.step(step):
-                return True
+                break
             goal -= step
+        if ending.sighting is not None:
+            # From here it may be round a corner, as it was seen from another way.
+            stand_before(walker, ending.sighting)
         return True
 
     def _note_last_doubt(self) -> None:
