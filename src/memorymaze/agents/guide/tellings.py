@@ -211,7 +211,8 @@ class Tellings:
                 joined = self.frontiers.setdefault(key, Frontier(*key))
                 for segment, weights, _ in frontier.alignments:
                     if not telling.is_past(segment):
-                        joined.add(segment, weights * factor)
+                        scaled = segment._replace(weights=segment.weights * factor)
+                        joined.add(scaled, weights * factor)
             for ending in telling.endings:
                 place = ending.place
                 factor = agreed(lambda each, place=place: each.share_at(place))
