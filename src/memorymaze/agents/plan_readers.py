@@ -7,7 +7,6 @@ reply is no plan; or not at all, where the text is a plan already.
 from abc import ABC, abstractmethod
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from functools import partial
 from itertools import count
 from typing import Literal
 
@@ -37,7 +36,6 @@ from memorymaze.language.reading.marking import destination_chance, read_by_mark
 ReaderName = Literal["both", "grammar", "learned", "model", "plan"]
 """The grammar and the network that was trained, one of them, a language model, or nobody:
 the instruction is the JSON of a plan."""
-
 
 TAKEN_FOR_ELSE = 0.1
 """Probability of the destination below which the network takes words for something else."""
@@ -127,9 +125,8 @@ class BothReader(GrammarReader):
             parsed, marked = parse_route_description(telling), read_by_marks(telling)
             names = parsed.arrival.destinations
             others = marked.arrival.destinations
-            names = (
-                tuple(filter(partial(_may_be_meant, telling), names)) or others or names
-            )
+            meant = tuple(each for each in names if _may_be_meant(telling, each))
+            names = meant or others or names
             read = _to(names, parsed), _to(others or names, marked)
             with_turns = [plan for plan in read if plan.legs]
             tellings.append(list(dict.fromkeys(with_turns or read[:1])))

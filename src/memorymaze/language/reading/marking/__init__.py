@@ -11,7 +11,7 @@ import numpy as np
 
 from memorymaze.language.nouns import singular
 from memorymaze.language.plans import RoutePlan
-from memorymaze.language.reading.marking.marks import DESTINATION, Marker
+from memorymaze.language.reading.marking.marks import Marker
 from memorymaze.language.reading.marking.network import Judged, Network
 from memorymaze.language.reading.marking.plans import plan_of_marks
 from memorymaze.language.reading.marking.word_pieces import Word, words_in
@@ -41,7 +41,7 @@ def destination_chance(text: str, word: str) -> float | None:
     if not said:
         return None
     network, _ = _trained()
-    begun = 1 + 2 * network.kinds.index(DESTINATION)
+    begun = 1 + 2 * network.kinds.index("dest")
     chances = np.exp(judged.labels[said, begun : begun + 2]).sum(axis=1)
     return float(chances.max())
 
@@ -50,8 +50,6 @@ def destination_chance(text: str, word: str) -> float | None:
 def _judged(text: str) -> tuple[list[Word], Judged]:
     """Return the words of a text and what the network makes of them."""
     words = words_in(text)
-    if not words:
-        return [], Judged(np.zeros((0, 0)), np.zeros((0, 3)))
     network, _ = _trained()
     return words, network.judge(words)
 

@@ -14,10 +14,7 @@ WEIGHT = 0.4
 SAYS_NOTHING = frozenset({"again", "aside", "undone"})
 STEPS = (0, 1, -1)
 """Legs on from mark to mark: the same, the next, another, which is mostly the one before."""
-DESTINATION = "dest"
-OF_NO_LEG = SAYS_NOTHING | {
-    "total", "doubt", DESTINATION, "start:from", "start:facing"
-}  # fmt: skip
+OF_NO_LEG = SAYS_NOTHING | {"total", "doubt", "dest", "start:from", "start:facing"}
 
 
 @dataclass(frozen=True, slots=True)
