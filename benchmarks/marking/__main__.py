@@ -11,10 +11,12 @@ import numpy as np
 import torch
 from numpy.typing import NDArray
 from torch import Tensor, nn
+from torch.utils.data import DataLoader, IterableDataset, get_worker_info
 
 from benchmarks.marking.encoder import (
     MASK,
     NO_LABEL,
+    Batch,
     Encoder,
     batch_of,
     frequent_pieces,
@@ -25,7 +27,6 @@ from benchmarks.marking.encoder import (
 from benchmarks.marking.marked_texts import (
     MARKED_TEXTS,
     MarkedText,
-    MarkedWord,
     load_marked_texts,
     marks_of,
     ways_of,
@@ -39,10 +40,14 @@ WARMING, LAST_RATE, HEADS_RATE = 50, 0.02, 10.0
 """Steps until the full rate, its share in the end, and how much faster the heads learn."""
 NEW = ("labels.", "steps.", "cases.")
 """Parts that MiniLM does not have."""
+SCORED = 5000
+"""Steps after which the file is written and people left out are read."""
 MOST_WORDS = 220
 """Words of a text in training."""
-POOLED = 8
-"""Batches that are drawn at once, to be parted by length."""
+POOLED, AHEAD = 8, 16
+"""Batches that are drawn at once, to be parted by length, and that wait at most."""
+SEEDS = 1000
+"""Processes that draw, at most."""
 TURNS_COUNT, STEPS_COUNT = 2.0, 0.3
 """What the labels that decide on turns, and the steps, count for in the loss."""
 OF_TURNS = ("turn", "bend", "again", "undone", "aside", "ordinal")
@@ -63,11 +68,15 @@ def main(arguments: Sequence[str] | None = None) -> None:
         "--sail", type=Path, metavar="DIR", help="SAIL's folder, for its marked texts"
     )
     parser.add_argument("--out", type=Path, required=True)
-    parser.add_argument("--layers", type=int, default=4)
-    parser.add_argument("--steps", type=int, default=2200)
-    parser.add_argument("--batch", type=int, default=32)
-    parser.add_argument("--rate", type=float, default=2e-4)
+    parser.add_argument("--layers", type=int, default=6)
+    parser.add_argument("--steps", type=int, default=7000)
+    parser.add_argument("--batch", type=int, default=64)
+    parser.add_argument("--rate", type=float, default=4e-4)
     parser.add_argument("--seed", type=int, default=28)
+    parser.add_argument("--device", default="cpu", help="cuda, where there is one")
+    parser.add_argument(
+        "--drawers", type=int, default=1, help="processes that draw texts"
+    )
     parser.add_argument(
         "--left-out", type=float, default=0.04, help="share of the people"
     )
@@ -83,7 +92,8 @@ def train(options: argparse.Namespace) -> None:
     stored, whole = minilm(options.minilm)
     vocabulary = frequent_pieces(whole)
     pieces, mask = WordPieces(list(vocabulary)), list(vocabulary).index(MASK)
-    encoder = Encoder(stored, vocabulary, 1 + 2 * len(kinds), options.layers)
+    device = torch.device(options.device)
+    encoder = Encoder(stored, vocabulary, 1 + 2 * len(kinds), options.layers).to(device)
     follows = follow_rates(learned, kinds)
     file = options.out / "marker.npz"
 
@@ -102,17 +112,22 @@ def train(options: argparse.Namespace) -> None:
             min(1, (step + 1) / WARMING) * max(LAST_RATE, 1 - step / options.steps)
         ),
     )
-    label_loss = nn.CrossEntropyLoss(_weights(kinds), ignore_index=NO_LABEL)
+    label_loss = nn.CrossEntropyLoss(_weights(kinds).to(device), ignore_index=NO_LABEL)
     step_loss = nn.CrossEntropyLoss(ignore_index=NO_LABEL)
-    drawn = _batches(Recombiner(learned, options.seed), options.batch)
+    drawn = DataLoader(
+        _Drawn(learned, options, pieces, kinds, mask),
+        batch_size=None,
+        num_workers=options.drawers,
+        prefetch_factor=AHEAD,
+    )
     print(
         f"{len(learned)} texts, {len(unseen)} left out, {len(kinds)} labels", flush=True
     )
     began, total = time.monotonic(), 0.0
     encoder.train()
-    for step in range(1, options.steps + 1):
-        batch = batch_of(next(drawn), pieces, kinds, mask)
-        with torch.autocast("cpu", torch.bfloat16):
+    for step, there in zip(range(1, options.steps + 1), drawn, strict=False):
+        batch = Batch(*(each.to(device) for each in there))
+        with torch.autocast(device.type, torch.bfloat16):
             labels, steps = encoder(batch)
         loss = label_loss(labels.float().flatten(0, 1), batch.labels.flatten())
         loss = loss + STEPS_COUNT * step_loss(
@@ -130,7 +145,7 @@ def train(options: argparse.Namespace) -> None:
                 flush=True,
             )
             total = 0.0
-        if step % 250 == 0 or step == options.steps:
+        if step % SCORED == 0 or step == options.steps:
             write()
 
 
@@ -153,16 +168,35 @@ def _weights(kinds: Sequence[str]) -> Tensor:
     return counts
 
 
-def _batches(texts: Recombiner, size: int) -> Iterator[list[list[MarkedWord]]]:
-    """Yield drawn texts, those of about one length together."""
-    shuffled = random.Random(size)
-    while True:
-        pool = sorted(
-            (texts.draw()[:MOST_WORDS] for _ in range(POOLED * size)), key=len
-        )
-        batches = [pool[n : n + size] for n in range(0, len(pool), size)]
-        shuffled.shuffle(batches)
-        yield from batches
+class _Drawn(IterableDataset[Batch]):
+    """Draws texts without end, those of about one length together."""
+
+    def __init__(
+        self,
+        texts: Sequence[MarkedText],
+        options: argparse.Namespace,
+        pieces: WordPieces,
+        kinds: Sequence[str],
+        mask: int,
+    ) -> None:
+        self._texts, self._seed, self._size = texts, options.seed, options.batch
+        self._numbers = pieces, kinds, mask
+
+    def __iter__(self) -> Iterator[Batch]:
+        """Yield batches; each process draws its own."""
+        process = get_worker_info()
+        seed = self._seed * SEEDS + (process.id if process is not None else 0)
+        texts, shuffled = Recombiner(self._texts, seed), random.Random(seed)
+        while True:
+            pool = sorted(
+                (texts.draw()[:MOST_WORDS] for _ in range(POOLED * self._size)), key=len
+            )
+            batches = [
+                pool[n : n + self._size] for n in range(0, len(pool), self._size)
+            ]
+            shuffled.shuffle(batches)
+            for each in batches:
+                yield batch_of(each, *self._numbers)
 
 
 def _parted(

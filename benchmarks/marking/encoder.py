@@ -16,12 +16,12 @@ from benchmarks.marking.marked_texts import MarkedWord
 from memorymaze.language.reading.marking.network import HEADS, LONGEST, encoded
 from memorymaze.language.reading.marking.word_pieces import Word, WordPieces
 
-SIZE, INNER, DROPOUT = 384, 1536, 0.1
+SIZE, INNER, DROPOUT = 384, 1536, 0.15
 CASES, STEPS = 4, 3
 FREQUENT = 20_000
 """Pieces that begin words are kept up to here: the vocabulary has the frequent ones first."""
 NO_LABEL = -100
-MASK, MASKED = "[MASK]", 0.08
+MASK, MASKED = "[MASK]", 0.2
 """Share of pieces that are hidden, so that no word alone decides."""
 _PARTS = {
     "query": "attention.self.query",
@@ -72,7 +72,7 @@ class Layer(nn.Module):
         )
         seen = seen.transpose(1, 2).reshape(texts, count, SIZE)
         state = self.norm(state + self.drop(self.output(seen)))
-        inner = self.outer(nn.functional.gelu(self.inner(state)))
+        inner = self.outer(nn.functional.gelu(self.inner(state), approximate="tanh"))
         return self.last_norm(state + self.drop(inner))
 
 
@@ -196,6 +196,7 @@ def save(
     """Write the weights as 8-bit numbers with one factor a row."""
     stored: dict[str, np.ndarray] = dict(others)
     for name, weight in encoder.state_dict().items():
+        weight = weight.cpu()
         name = {"words.weight": "words", "cases.weight": "cases"}.get(name, name)
         if weight.ndim < 2:
             stored[name] = weight.numpy().astype(np.float32)

@@ -12,8 +12,10 @@ WHOLE, MIRRORED, SAME_PERSON = 0.4, 0.45, 0.5
 """Shares: texts that stay whole, parts that are mirrored, legs of one person."""
 AROUND = 0.03
 """Share of texts that begin with turning round, of which hardly one is marked."""
-RENAMED, CORRECTED, REPEATED, RECAPPED = 0.2, 0.05, 0.04, 0.08
+RENAMED, CORRECTED, REPEATED, RECAPPED = 0.2, 0.05, 0.08, 0.08
 """Shares: of things, of turns that are taken back or said twice, of texts with a recap."""
+AT_ONCE, WITH_THING = 0.4, 0.5
+"""Shares of turns said twice: before anything else, and with what one turns at."""
 RECAP_LAST = 0.6
 """Share of recaps that come after the way; the others are overviews before it."""
 LOWER, BARE, FILLED, MISSPELT = 0.2, 0.12, 0.3, 0.35
@@ -34,8 +36,9 @@ FILLERS = (
 )  # fmt: skip
 TAKEN_BACK = (
     "no", "no sorry", "no wait", "sorry", "I mean", "er no", "not that", "no , no", "wait , no",
+    "rubbish ,", "scratch that ,", "hang on ,", "my mistake ,", "I tell a lie ,", "excuse me , I mean",
 )  # fmt: skip
-SAID_TWICE = ("yes", "yeah", "so", "that's right ,", "I said")
+SAID_TWICE = ("yes", "yeah", "so", "that's right ,", "I said", "I mean")
 TURNED_FIRST = (
     "turn around", "turn round", "first turn around", "do a u - turn", "about face",
     "turn yourself around", "you have to turn round",
@@ -135,8 +138,11 @@ class Recombiner:
     def _corrected(self, words: Words) -> Words:
         """Take turns back before they are said, say them twice, and sum them up."""
         draw = self._random
-        out: Words = []
+        out, echo = list[MarkedWord](), list[MarkedWord]()
         for each in words:
+            if echo and not each.label and each.text in ".,;!?":
+                out += [each, *echo]
+                echo = []
             side = each.text.lower()
             turns = each.begins and each.label[:5] == "turn:" and side in OTHER
             if turns and draw.random() < CORRECTED:
@@ -144,8 +150,11 @@ class Recombiner:
                 out += _plain(draw.choice([",", ""]), draw.choice(TAKEN_BACK), ",")
             out.append(each)
             if turns and draw.random() < REPEATED:
-                out += _plain(",", draw.choice(SAID_TWICE))
-                out.append(replace(each, label="again"))
+                said = _plain(draw.choice(SAID_TWICE))
+                if draw.random() < AT_ONCE:
+                    out += [*_plain(","), *said, replace(each, label="again")]
+                else:
+                    echo = said + self._again(each, words)
         if draw.random() < RECAPPED:
             sides = [
                 each for each in words if each.begins and each.label[:5] == "turn:"
@@ -164,6 +173,20 @@ class Recombiner:
                 recap += _plain(".")
                 out = [*out, *recap] if after else [*recap, *out]
         return out
+
+    def _again(self, turn: MarkedWord, words: Words) -> Words:
+        """Return a turn said once more, some with what it is at."""
+        told = [turn.text]
+        things = [
+            words[start:end]
+            for start, end in marks_of(words)
+            if words[start].label == "thing:turn" and words[start].leg == turn.leg
+        ]
+        if things and self._random.random() < WITH_THING:
+            told += ["at", "the", *(each.text for each in things[0])]
+        return [
+            MarkedWord(text, "again", n == 0, turn.leg) for n, text in enumerate(told)
+        ]
 
     def _written(self, words: Words) -> Words:
         draw = self._random
