@@ -68,10 +68,10 @@ def test_a_room_that_is_only_passed_is_no_destination_once_both_have_read_the_te
 
 
 def test_a_reader_that_finds_no_destination_takes_the_others() -> None:
-    text = "At the Lecture Theater, right. Lecture Theater, on your left."
+    text = "Left at the kiosk, then right into Cedar Hall. He is at the front there."
     assert LearnedReader().read(text, Journal()).arrival.destinations == ()
     [plans] = BothReader().read_tellings(text, Journal())
-    assert {each.arrival.destinations for each in plans} == {("lecture theater",)}
+    assert {each.arrival.destinations for each in plans} == {("cedar hall",)}
 
 
 def test_a_reply_that_is_no_plan_is_asked_for_once_more_with_what_is_wrong() -> None:
