@@ -3,10 +3,12 @@
 import re
 from itertools import islice
 
+import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from memorymaze.language.plans import Leg, Turn
 from memorymaze.texts.corpus.error_kinds import SURFACE_KINDS
 from memorymaze.texts.corpus.files import lines
 from memorymaze.texts.corpus.record_format import instruction_record, parse_line
@@ -18,6 +20,8 @@ from memorymaze.texts.writing import (
     sample_outlines,
     write_texts,
 )
+from memorymaze.texts.writing.clauses import turn_clause
+from memorymaze.texts.writing.voices import make_voice
 from memorymaze.world.sites import Site
 
 QUIET = settings(
@@ -157,3 +161,15 @@ def test_labels_outside_the_text_are_refused(
     read, _, problems = parse_line(line, "file:1")
     assert read is None
     assert said in str(problems[0])
+
+
+@pytest.mark.parametrize("way", ["left", "slight_left"])
+def test_which_opening_is_meant_is_told_of_a_slight_turn_as_of_any(way: str) -> None:
+    draws = np.random.default_rng(1)
+    voice = make_voice("online", 1, draws)
+    for number in range(4):
+        for size in ("terse", "plain", "wordy"):
+            leg = Leg(Turn(way, ordinal=2))  # type: ignore[arg-type]
+            told = turn_clause(leg, size, voice, draws, {}, number, {})
+            assert "second" in told
+            assert "left" in told

@@ -145,11 +145,13 @@ def arrival_clause(
 def _pattern(leg: Leg, size: Size, voice: Voice, number: int, focus: Focus) -> str:
     turn = leg.turn
     at_a_thing = thing_at_the_turn(leg) is not None
+    counted = (turn.ordinal or 1) > 1
     patterns: Sequence[str]
     if turn.way.startswith("slight"):
-        patterns = phrases("slight", "thing" if at_a_thing else "place", size)
+        uncounted = "thing" if at_a_thing else "place"
+        patterns = phrases("slight", "later" if counted else uncounted, size)
     else:
-        kind = "first" if (turn.ordinal or 1) == 1 else "later"
+        kind = "later" if counted else "first"
         if turn.forced or turn.at_end:
             kind = "forced" if turn.forced else "end"
         elif at_a_thing:
