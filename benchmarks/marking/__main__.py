@@ -123,10 +123,10 @@ def train(options: argparse.Namespace) -> None:
     print(
         f"{len(learned)} texts, {len(unseen)} left out, {len(kinds)} labels", flush=True
     )
-    began, total = time.monotonic(), 0.0
+    began, total = time.monotonic(), torch.zeros(1, device=device)
     encoder.train()
-    for step, there in zip(range(1, options.steps + 1), drawn, strict=False):
-        batch = Batch(*(each.to(device) for each in there))
+    for step, numbers in zip(range(1, options.steps + 1), drawn, strict=False):
+        batch = Batch(*(each.to(device) for each in numbers))
         with torch.autocast(device.type, torch.bfloat16):
             labels, steps = encoder(batch)
         loss = label_loss(labels.float().flatten(0, 1), batch.labels.flatten())
@@ -138,13 +138,13 @@ def train(options: argparse.Namespace) -> None:
         optimizer.step()
         optimizer.zero_grad()
         rates.step()
-        total += loss.item()
+        total += loss.detach()
         if step % 50 == 0:
             print(
-                f"{step}: loss {total / 50:.3f}, {time.monotonic() - began:.0f} s",
+                f"{step}: loss {total.item() / 50:.3f}, {time.monotonic() - began:.0f} s",
                 flush=True,
             )
-            total = 0.0
+            total.zero_()
         if step % SCORED == 0 or step == options.steps:
             write()
 
