@@ -79,7 +79,7 @@ class Recombiner:
         """Return the words of one more text."""
         whole = self._random.random() < WHOLE
         words = self._whole() if whole else self._joined()
-        words = self._corrected(self._renamed(words))
+        words = self._summed_up(self._corrected(self._renamed(words)))
         if self._random.random() < AROUND:
             words = _after_turning_round(self._random.choice(TURNED_FIRST), words)
         return self._written(words)
@@ -136,7 +136,7 @@ class Recombiner:
         return out + words[done:]
 
     def _corrected(self, words: Words) -> Words:
-        """Take turns back before they are said, say them twice, and sum them up."""
+        """Take turns back before they are said, and say them twice."""
         draw = self._random
         out, echo = list[MarkedWord](), list[MarkedWord]()
         for each in words:
@@ -155,23 +155,6 @@ class Recombiner:
                     out += [*_plain(","), *said, replace(each, label="again")]
                 else:
                     echo = said + self._again(each, words)
-        if draw.random() < RECAPPED:
-            sides = [
-                each for each in words if each.begins and each.label[:5] == "turn:"
-            ]
-            said = [each for each in sides if each.text.lower() in OTHER]
-            if said and len(said) == len(sides):
-                recap = _plain(draw.choice(RECAPS))
-                for place, each in enumerate(said):
-                    recap += [
-                        MarkedWord(text, "again", place + n == 0, said[0].leg)
-                        for n, text in enumerate(
-                            ([","] if place else []) + [each.text.lower()]
-                        )
-                    ]
-                after = draw.random() < RECAP_LAST
-                recap += _plain(".")
-                out = [*out, *recap] if after else [*recap, *out]
         return out
 
     def _again(self, turn: MarkedWord, words: Words) -> Words:
@@ -184,9 +167,21 @@ class Recombiner:
         ]
         if things and self._random.random() < WITH_THING:
             told += ["at", "the", *(each.text for each in things[0])]
-        return [
-            MarkedWord(text, "again", n == 0, turn.leg) for n, text in enumerate(told)
-        ]
+        return _repeated(told, turn.leg)
+
+    def _summed_up(self, words: Words) -> Words:
+        """Tell all turns once more, before the way or after it."""
+        draw = self._random
+        if draw.random() >= RECAPPED:
+            return words
+        sides = [each for each in words if each.begins and each.label[:5] == "turn:"]
+        said = [each.text.lower() for each in sides]
+        if not said or not OTHER.keys() >= set(said):
+            return words
+        listed = [text for side in said for text in (",", side)][1:]
+        recap = _plain(draw.choice(RECAPS)) + _repeated(listed, sides[0].leg)
+        recap += _plain(".")
+        return words + recap if draw.random() < RECAP_LAST else recap + words
 
     def _written(self, words: Words) -> Words:
         draw = self._random
@@ -239,6 +234,11 @@ def _name(words: Words) -> str:
 
 def _plain(*said: str) -> Words:
     return [MarkedWord(word) for each in said for word in each.split()]
+
+
+def _repeated(told: Sequence[str], leg: int) -> Words:
+    """Return words that repeat what was said."""
+    return [MarkedWord(text, "again", n == 0, leg) for n, text in enumerate(told)]
 
 
 def mirrored(words: Words) -> Words:
