@@ -163,6 +163,51 @@ def test_a_side_of_what_has_no_name_is_not_given_to_its_neighbour() -> None:
     assert plan.legs[0].mentions == (Mention("clock", "object", "turn"),)
 
 
+def test_the_side_of_a_name_said_again_is_that_of_the_destination() -> None:
+    plan = _plan(
+        "To the library. Left at the piano. Then the library, on the right.",
+        ("library", "dest", 0),
+        ("Left", "turn:left", 0),
+        ("piano", "thing:turn", 0),
+        ("library", "again", 0),
+        ("right", "side:right", 1),
+    )
+    assert plan.arrival == Arrival(("library",), side="right")
+    assert plan.legs[0].mentions == (Mention("piano", "object", "turn"),)
+
+
+def test_a_last_side_beside_no_name_is_that_of_the_destination() -> None:
+    plan = _plan(
+        "Past the kitchen turn right, and it's on your left.",
+        ("kitchen", "thing:passed", 0),
+        ("right", "turn:right", 0),
+        ("left", "side:left", 1),
+    )
+    assert plan.arrival == Arrival(side="left")
+    assert [each.side for each in plan.legs[0].mentions] == [None]
+
+
+@pytest.mark.parametrize(
+    ("said", "sides"),
+    [
+        ("the sofa, a bin and the clock on the left", ("left", "left", "left")),
+        ("on the left the sofa and a bin, behind it the clock", ("left", "left", None)),
+        ("the sofa is on the left and a bin near the clock", ("left", None, None)),
+        ("a hall on the left. A sofa, a bin, a clock", (None, None, None)),
+    ],
+)
+def test_a_side_is_that_of_all_things_of_its_list_and_of_none_told_later(
+    said: str, sides: tuple[str | None, ...]
+) -> None:
+    words = ("sofa", "bin", "clock")
+    marks = [(each, "thing:passed", 0) for each in words]
+    marks.insert(
+        3 if said.endswith("left") else said.startswith("the"), ("left", "side:left", 0)
+    )
+    plan = _plan(f"Past {said}, then right.", *marks, ("right", "turn:right", 0))
+    assert tuple(each.side for each in plan.legs[0].mentions) == sides
+
+
 def test_a_doubt_is_about_what_stands_beside_it() -> None:
     plan = _plan(
         "Past the sofa, maybe twenty metres, left.",

@@ -1,7 +1,7 @@
 """From marks to a plan: what is said of each leg is put together."""
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -42,7 +42,10 @@ NEAR = 24
 """Characters around a bend in which it is told how slight it is."""
 A_STOP, ANOTHER_LEG = 40, 40
 """Characters that a stop, and another leg, count for between two marks."""
+AFTER = 15
+"""Characters that more are between a side and a thing told after it: most are told before."""
 _STOP = re.compile(r"[,.;:!?\n]")
+_LISTED = re.compile(r",?\s+(?:and |then |and then )?(?:an? |the |some |your )?")
 _SENTENCE_END = re.compile(r"[.!?\n]")
 _TOWARDS = re.compile(r"\btowards?\b", re.IGNORECASE)
 _SLIGHT = re.compile(r"\b(?:slight|gentl|bit\b|little|soft)", re.IGNORECASE)
@@ -134,6 +137,7 @@ class _MarkedLegs:
                 self._unit = unit_in(self._words(mark)) or self._unit
         for mark in self._marks:
             self._place(mark)
+        self._things += self._said_again()
         for mark in self._marks:
             self._relate(mark)
         for part in self._parts:
@@ -158,6 +162,14 @@ class _MarkedLegs:
             Arrival(self._destinations(), **arrival),
             self._totals,
         )
+
+    def _said_again(self) -> Iterator[_Owner]:
+        """Yield names said again, whose side or number is said only there."""
+        for mark in self._all:
+            if mark.label != "again":
+                continue
+            if phrase_in(self._words(mark), is_goal=True) in self._names:
+                yield mark, self._arrival
 
     def _words(self, mark: Mark) -> str:
         return self._text[mark.start : mark.end]
@@ -320,25 +332,69 @@ class _MarkedLegs:
         if kind == "doubt":
             doubted = self._nearest(mark, [*self._said, *self._things])
             if doubted is not None:
-                doubted["doubt"] = HEDGED
+                doubted[1]["doubt"] = HEDGED
         elif kind in {"side", "nth"}:
             said = value if kind == "side" else ordinal_in(self._words(mark))
-            free = [each for each in self._things if kind not in each[1]]
+            free = [
+                each
+                for each in self._things
+                if kind not in each[1] and not self._begins_anew(mark, each[0])
+            ]
+            if self._is_last(mark):
+                # `And it's on your left.`
+                here = [each for each in free if self._is_on_leg(each[0], mark)]
+                free = here or [(mark, self._arrival)]
             thing = self._nearest(mark, free)
-            if thing is not None and said is not None:
-                thing[kind] = said
+            if thing is None or said is None:
+                return
+            thing[1].setdefault(kind, said)
+            if kind == "side" and thing[1] is not self._arrival:
+                for each in self._listed_with(thing[0], mark):
+                    each.setdefault(kind, said)
 
-    def _nearest(self, mark: Mark, said: Sequence[_Owner]) -> dict[str, Any] | None:
+    def _listed_with(self, thing: Mark, side: Mark) -> Iterator[dict[str, Any]]:
+        """Yield what is told in one list with the thing nearest to a side."""
+        before = thing.start < side.start
+        things = [
+            each
+            for each in sorted(
+                self._things, key=lambda each: each[0].start, reverse=before
+            )
+            if (each[0].start < thing.start) == before and each[0] is not thing
+        ]
+        for each, owner in things:
+            one, two = (each, thing) if before else (thing, each)
+            between = self._text[one.end : two.start]
+            if one.leg != two.leg or not _LISTED.fullmatch(between):
+                return
+            yield owner
+            thing = each
+
+    def _begins_anew(self, mark: Mark, thing: Mark) -> bool:
+        """Tell whether a thing is of a sentence after the one of a mark."""
+        between = self._text[mark.end : thing.start]
+        return _SENTENCE_END.search(between) is not None
+
+    def _is_last(self, mark: Mark) -> bool:
+        """Tell whether a mark speaks of the last stretch, where the destination is."""
+        return self._part(mark) is self._parts[-1]
+
+    def _is_on_leg(self, one: Mark, other: Mark) -> bool:
+        """Tell whether a mark speaks of the leg that another is on."""
+        is_goal = one.label in {"dest", "again"}
+        return self._is_last(other) if is_goal else one.leg == other.leg
+
+    def _nearest(self, mark: Mark, said: Sequence[_Owner]) -> _Owner | None:
         """Return what stands nearest; of two as near the one before."""
-        return (
-            min(said, key=lambda each: self._apart(each[0], mark))[1] if said else None
-        )
+        return min(said, key=lambda each: self._apart(each[0], mark), default=None)
 
     def _apart(self, one: Mark, other: Mark) -> tuple[int, bool]:
         """Return the characters between two marks, where stops and legs count for more."""
         start, end = sorted((one, other), key=lambda each: each.start)
         between = self._text[start.end : end.start]
-        far = len(between) + A_STOP * len(_STOP.findall(between))
-        if other.label != "doubt" and one.leg != other.leg:
-            far += ANOTHER_LEG
+        stops = len(_STOP.findall(between)) + len(_SENTENCE_END.findall(between))
+        far = len(between) + A_STOP * stops
+        if other.label != "doubt":
+            far += ANOTHER_LEG * (not self._is_on_leg(one, other))
+            far += AFTER * (one.start > other.start)
         return far, one.start > other.start
