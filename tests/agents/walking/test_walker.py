@@ -128,3 +128,19 @@ def test_a_glance_finds_what_stands_beside_the_way_and_faces_on(
     [door] = walker.glance(["door"], "left")
     assert door.place == pytest.approx((0, 1.5), abs=0.5)
     assert walker.heading == pytest.approx(0, abs=0.05)
+
+
+@pytest.mark.parametrize(
+    ("place", "leads_there"),
+    [((7.3, 4.0), True), ((9.5, 1.5), False)],
+    ids=["down the way", "beside the crossing"],
+)
+def test_it_turns_in_only_where_the_way_leads_to_the_thing(
+    scenes: dict[str, Scene], place: tuple[float, float], leads_there: bool
+) -> None:
+    walker = Walker(robot_in(scenes["crossing"], -7, 0, 0))
+    door = Sighting("door", "automatic door", 1, place, (0, 0), 4, 1, (0, 0), "left")
+    assert walker.turn_in(door) is None
+    walker.walk_on(6)
+    assert walker.turn_in(door) is leads_there
+    assert walker.heading == pytest.approx(math.pi / 2 * leads_there, abs=0.1)

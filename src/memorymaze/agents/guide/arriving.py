@@ -464,6 +464,7 @@ class Arrivals:
 
 def walk_up_to(walker: Walker, sighting: Sighting, names: tuple[str, ...] = ()) -> None:
     """Walk up to a thing just seen, and into the place that it names or leads to."""
+    leads_elsewhere = False
     for _ in range(10 + int(2 * sighting.distance)):
         seen = walker.look((sighting.phrase,))
         again = [each for each in seen if sighting.is_again(each)]
@@ -471,9 +472,12 @@ def walk_up_to(walker: Walker, sighting: Sighting, names: tuple[str, ...] = ()) 
             again = [*_borne_by(sighting, seen), *again]
         sighting = again[0] if again else sighting
         opens = OPENS.search(sighting.label) is not None
-        if opens and sighting.side != "ahead" and walker.turn_in(sighting.side):
-            walker.walk_on(2 * INSIDE)
-            return
+        if opens and sighting.side != "ahead" and not leads_elsewhere:
+            turned = walker.turn_in(sighting)
+            if turned:
+                walker.walk_on(2 * INSIDE)
+                return
+            leads_elsewhere = turned is False
         if again and sighting.distance <= IN_FRONT and not opens:
             if is_sign(sighting.label) and "hanging" not in sighting.label:
                 _go_to_its_place(walker, sighting, names)

@@ -36,6 +36,9 @@ MEANT, NEAR_ENOUGH = math.radians(35), math.radians(63)
 SHARP = math.radians(126)
 """Where a way that differs more is not found, the robot turns around."""
 
+LEADS_TO = math.radians(45)
+"""How far beside a way, as one faces along it, what it leads to stands at most: a camera sees
+it then."""
 GLANCES = {"left": math.radians(75), "right": math.radians(-75)}
 """How far it turns to look beside a way, radians."""
 
@@ -318,14 +321,25 @@ class Walker:
         result = self._robot.turn_by(degrees)
         self.heading = wrap_angle(self.heading + math.radians(result.angle_deg))
 
-    def turn_in(self, side: str) -> bool:
-        """Turn into a way on a side, if the robot has come to where there is one."""
+    def turn_in(self, sighting: Sighting) -> bool | None:
+        """Turn into the way at the end of which something stands, on its side.
+
+        None where the robot has come to no way on that side. False where it leads to
+        somewhere else: it faces on then.
+        """
         if self._robot.turning_point_id() == self.at:
-            return False
+            return None
         for direction in self._robot.detect_turning_point():
-            if direction.endswith(side):
-                return self._turn(direction)
-        return False
+            if direction.endswith(sighting.side):
+                ahead = self.heading
+                if not self._turn(direction):
+                    return False
+                along, aside = along_and_aside(sighting.place, self.place, self.heading)
+                if aside <= max(along, 0.0) * math.tan(LEADS_TO):
+                    return True
+                self.turn_by(math.degrees(wrap_angle(ahead - self.heading)))
+                return False
+        return None
 
     def say(self, words: str) -> None:
         """Say something to the person beside the robot."""
