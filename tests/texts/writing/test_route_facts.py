@@ -93,6 +93,7 @@ def _to_kitchen(
         pytest.param("BAAK", 3, 2.0, None, id="the only one"),
         pytest.param("AKBK", 1, 2.0, None, id="the first"),
         pytest.param("KABK", 3, 5.0, None, id="another behind the start"),
+        pytest.param("KABK", 3, 2.9, 2, id="another right at the start"),
     ],
 )
 def test_doors_of_one_label_are_counted_up_to_the_goal(

@@ -344,7 +344,7 @@ class RouteFacts:
             if (
                 door.id != goal.id
                 and door.label == goal.label
-                and 0.3 < at < stretch.length - SAME_DOOR
+                and 0.0 < at < stretch.length - SAME_DOOR
                 and stretch.distance(middle) <= BESIDE
                 and self.graph.sees(stretch.interpolate(at), middle)
             ):
