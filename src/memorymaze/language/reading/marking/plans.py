@@ -355,14 +355,9 @@ class _MarkedLegs:
     def _listed_with(self, thing: Mark, side: Mark) -> Iterator[dict[str, Any]]:
         """Yield what is told in one list with the thing nearest to a side."""
         before = thing.start < side.start
-        things = [
-            each
-            for each in sorted(
-                self._things, key=lambda each: each[0].start, reverse=before
-            )
-            if (each[0].start < thing.start) == before and each[0] is not thing
-        ]
-        for each, owner in things:
+        order = sorted(self._things, key=lambda each: each[0].start, reverse=before)
+        at = [mark for mark, _ in order].index(thing)
+        for each, owner in order[at + 1 :]:
             one, two = (each, thing) if before else (thing, each)
             between = self._text[one.end : two.start]
             if one.leg != two.leg or not _LISTED.fullmatch(between):
