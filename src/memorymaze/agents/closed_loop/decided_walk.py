@@ -16,7 +16,6 @@ from memorymaze.agents.notes import (
 )
 from memorymaze.agents.walking.floor_map import Sighting
 from memorymaze.agents.walking.walker import STRIDE, Walker
-from memorymaze.basics.geometry.pose import wrap_angle
 
 WITHIN_REACH = 8.0
 """Metres within which a thing can be walked up to."""
@@ -262,4 +261,4 @@ class DecidedWalk:
     def _face(self, thing: Sighting) -> None:
         x, y = self._walker.place
         bearing = math.atan2(thing.place[1] - y, thing.place[0] - x)
-        self._walker.turn_by(math.degrees(wrap_angle(bearing - self._walker.heading)))
+        self._walker.turn_to(bearing)

@@ -37,7 +37,6 @@ from memorymaze.agents.walking.floor_map import (
 )
 from memorymaze.agents.walking.outlooks import junction_at_the_end
 from memorymaze.agents.walking.walker import Walker
-from memorymaze.basics.geometry.pose import wrap_angle
 from memorymaze.language.nouns import general_words, kin_of
 from memorymaze.language.plans import Length, RoutePlan, Turn
 from memorymaze.language.reading import is_common, is_floor, place_on_sign
@@ -553,7 +552,7 @@ def stand_before(walker: Walker, sighting: Sighting) -> None:
     distance = math.hypot(dx, dy)
     if distance <= CLOSE + 0.4 or distance > 5.0:
         return
-    walker.turn_by(math.degrees(wrap_angle(math.atan2(dy, dx) - walker.heading)))
+    walker.turn_to(math.atan2(dy, dx))
     walker.step(distance - CLOSE)
 
 

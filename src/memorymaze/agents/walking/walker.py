@@ -39,6 +39,7 @@ SHARP = math.radians(126)
 LEADS_TO = math.radians(45)
 """How far beside a way, as one faces along it, what it leads to stands at most: a camera sees
 it then."""
+
 GLANCES = {"left": math.radians(75), "right": math.radians(-75)}
 """How far it turns to look beside a way, radians."""
 
@@ -321,6 +322,10 @@ class Walker:
         result = self._robot.turn_by(degrees)
         self.heading = wrap_angle(self.heading + math.radians(result.angle_deg))
 
+    def turn_to(self, heading: float) -> None:
+        """Face a heading, whether or not there is a way."""
+        self.turn_by(math.degrees(wrap_angle(heading - self.heading)))
+
     def turn_in(self, sighting: Sighting) -> bool | None:
         """Turn into the way at the end of which something stands, on its side.
 
@@ -337,7 +342,7 @@ class Walker:
                 along, aside = along_and_aside(sighting.place, self.place, self.heading)
                 if aside <= max(along, 0.0) * math.tan(LEADS_TO):
                     return True
-                self.turn_by(math.degrees(wrap_angle(ahead - self.heading)))
+                self.turn_to(ahead)
                 return False
         return None
 
@@ -392,9 +397,9 @@ class Walker:
         wanted, ahead = list(phrases), self.heading
         seen: list[Sighting] = []
         for angle in [GLANCES[side]] if side in GLANCES else GLANCES.values():
-            self.turn_by(math.degrees(wrap_angle(ahead + angle - self.heading)))
+            self.turn_to(ahead + angle)
             seen += [each for each in self.look(wanted) if not self.points_on(each)]
-        self.turn_by(math.degrees(wrap_angle(ahead - self.heading)))
+        self.turn_to(ahead)
         return seen
 
     def points_on(self, seen: Sighting) -> bool:
