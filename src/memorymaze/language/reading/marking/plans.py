@@ -18,7 +18,7 @@ from memorymaze.language.plans import (
 )
 from memorymaze.language.reading.destinations import shown_names
 from memorymaze.language.reading.lengths import combine_lengths
-from memorymaze.language.reading.marking.marks import SAYS_NOTHING, Mark
+from memorymaze.language.reading.marking.marks import OF_NO_LEG, SAYS_NOTHING, Mark
 from memorymaze.language.reading.marking.meanings import (
     length_in,
     ordinal_in,
@@ -376,7 +376,7 @@ class _MarkedLegs:
 
     def _is_on_leg(self, one: Mark, other: Mark) -> bool:
         """Tell whether a mark speaks of the leg that another is on."""
-        is_goal = one.label in {"dest", "again"}
+        is_goal = one.label in OF_NO_LEG
         return self._is_last(other) if is_goal else one.leg == other.leg
 
     def _nearest(self, mark: Mark, said: Sequence[_Owner]) -> _Owner | None:
