@@ -199,11 +199,9 @@ def test_a_last_side_beside_no_name_is_that_of_the_destination() -> None:
 def test_a_side_is_that_of_all_things_of_its_list_and_of_none_told_later(
     said: str, sides: tuple[str | None, ...]
 ) -> None:
-    words = ("sofa", "bin", "clock")
-    marks = [(each, "thing:passed", 0) for each in words]
-    marks.insert(
-        3 if said.endswith("left") else said.startswith("the"), ("left", "side:left", 0)
-    )
+    marks = [(each, "thing:passed", 0) for each in ("sofa", "bin", "clock")]
+    marks.append(("left", "side:left", 0))
+    marks.sort(key=lambda each: said.lower().index(each[0]))
     plan = _plan(f"Past {said}, then right.", *marks, ("right", "turn:right", 0))
     assert tuple(each.side for each in plan.legs[0].mentions) == sides
 
