@@ -21,7 +21,12 @@ from memorymaze.language.reading.marking.meanings import (
         ("five and a half metres", 5.5),
         ("a good hundred and fifty metres", 150.0),
         ("half a minute", 30.0),
+        ("about twenty", 20.0),
+        ("another fifteen-ish", 15.0),
+        ("ten of my steps", 7.0),
         ("two blocks", 16.0),
+        ("One crossing", 8.0),
+        ("two mirrors", 12.0),
         ("a little way", 4.0),
     ],
 )

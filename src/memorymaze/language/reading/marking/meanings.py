@@ -8,10 +8,9 @@ from memorymaze.language.plans.records import MOST_COUNTED
 from memorymaze.language.reading.lengths import (
     LENGTH,
     NUMBER,
-    PLACES,
+    PLACE_METRES,
     read_length,
     read_number,
-    read_places,
     read_vague,
 )
 from memorymaze.language.reading.spoken_numbers import with_plain_numbers
@@ -35,9 +34,17 @@ _HUNDREDS = re.compile(
     rf"\b(?:(?P<many>an?|{_ones}|\d) )?hundred(?:(?: and)? (?P<rest>{_BELOW_HUNDRED}))?\b"
 )
 _HALVES = re.compile(rf"\b(?P<whole>{_BELOW_HUNDRED}) and a half\b")
-_COUNTED_IN_PLACES = re.compile(
-    r"\b(?:segments?|intersections?|junctions?|blocks?|alleys?|squares?|once|twice|times)\b"
+_PLACE = (
+    r"(?:(?:segment|intersection|junction|crossing|block|alley|aisle|square|section"
+    r"|corridor|hallway|passage)s?|times)"
 )
+_COUNTED_IN_PLACES = re.compile(
+    rf"\b(?:(?P<count>{NUMBER}) (?:more |full |whole |other )?{_PLACE}|once|twice)\b"
+)
+_TIMES = {"once": 1.0, "twice": 2.0}
+_NUMBER = re.compile(rf"\b(?P<count>\d+(?:\.\d+)?|{NUMBER})(?:[- ]?ish)?\b")
+_NAMED = re.compile(r" (?!(?:more|or|odd|to|and|then|also|maybe|again|further)\b)[a-z]")
+"""What comes after a number of things that have a name."""
 _TURNS = re.compile(rf"(?P<count>{NUMBER}) (?:\w+ )?(?:turn(?:ing)?s?|corners|bends)\b")
 
 _SIDES = re.compile(r"\b(left|right)\b")
@@ -85,16 +92,19 @@ def length_in(words: str, unit: str) -> Length:
     said = _with_digits(words)
     if (found := re.search(LENGTH, said)) is not None:
         return read_length(found)
-    if _COUNTED_IN_PLACES.search(said) is not None:
-        if (found := re.search(PLACES, f"go {said}")) is not None:
-            return read_places(found)
-    elif (number := re.search(r"\d+(?:\.\d+)?|\b" + NUMBER, said)) is not None:
-        count = read_number(number[0])
-        if (
-            count > 1
-            and (found := re.search(LENGTH, f"{count:.10g} {unit}")) is not None
-        ):
-            return read_length(found)
+    if (places := _COUNTED_IN_PLACES.search(said)) is not None:
+        told = places["count"]
+        count = read_number(told) if told is not None else _TIMES[places[0]]
+        return Length(count * PLACE_METRES, "places", count)
+    if (number := _NUMBER.search(said)) is not None:
+        count = read_number(number["count"])
+        rest = said[number.end() :]
+        units = re.findall(r"\w+", rest)
+        if _NAMED.match(rest) is None:
+            units.append(unit)
+        for each in units if count > 1 else ():
+            if (found := re.search(LENGTH, f"{count:.10g} {each}")) is not None:
+                return read_length(found)
     return read_vague(said)
 
 
