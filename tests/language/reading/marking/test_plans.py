@@ -41,6 +41,25 @@ def test_what_is_said_of_a_turn_stands_with_it_in_whatever_order() -> None:
     assert leg.mentions == (Mention("clock", "object", "turn"),)
 
 
+@pytest.mark.parametrize(
+    ("text", "length", "after"),
+    [
+        ("Right, and it's ten metres after the chair.", "ten metres", "chair"),
+        ("Right, and one intersection past the chair.", "one intersection", "chair"),
+        ("Right, and go ten metres past the chair.", "ten metres", None),
+        ("Right, and go ten metres to the chair.", "ten metres", None),
+    ],
+)
+def test_a_length_is_told_from_the_thing_that_it_is_said_to_follow(
+    text: str, length: str, after: str | None
+) -> None:
+    plan = _plan(
+        text, ("Right", "turn:right", 0), (length, "length", 1), ("chair", "thing:passed", 1)
+    )  # fmt: skip
+    assert plan.arrival.length is not None
+    assert plan.arrival.length.after == after
+
+
 def test_what_is_told_after_the_last_turn_is_of_the_arrival() -> None:
     plan = _plan(
         "Right, then twenty metres past the piano, and the library is the third door on the left.",

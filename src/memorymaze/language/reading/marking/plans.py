@@ -48,6 +48,12 @@ _STOP = re.compile(r"[,.;:!?\n]")
 _LISTED = re.compile(r",?\s+(?:and |then |and then )?(?:an? |the |some |your )?")
 _SENTENCE_END = re.compile(r"[.!?\n]")
 _TOWARDS = re.compile(r"\btowards?\b", re.IGNORECASE)
+_FROM = re.compile(
+    r"\s+(?:\w+\s+)?(?:after|beyond|from|behind)\s+(?:(?:the|an?|your|that|those)\s+)?",
+    re.IGNORECASE,
+)
+_PAST = re.compile(r"\s+past\s+(?:(?:the|an?|your|that|those)\s+)?", re.IGNORECASE)
+"""Twenty metres past the shops one walks along them, one junction past them behind."""
 _SLIGHT = re.compile(r"\b(?:slight|gentl|bit\b|little|soft)", re.IGNORECASE)
 _WALKS = re.compile(
     r"\b(?:walk|straight|along|down|until|till|continue|keep|ahead|forward|follow|pass"
@@ -238,7 +244,9 @@ class _MarkedLegs:
             case "immediate":
                 part.turn["immediate"] = True
             case "length":
-                part.lengths.append(length_in(words, self._unit))
+                length = length_in(words, self._unit)
+                after = self._counted_from(mark, length)
+                part.lengths.append(replace(length, after=after))
                 self._said.append((mark, part.length))
             case "pass":
                 more: dict[str, Any] = {}
@@ -252,6 +260,18 @@ class _MarkedLegs:
                 )
             case _:
                 self._name(mark, kind, value, part)
+
+    def _counted_from(self, mark: Mark, length: Length) -> str | None:
+        """Return the thing that a length is told from: `ten metres after the lift`."""
+        later = (each for each in self._marks if each.start >= mark.end)
+        thing = next(later, None)
+        if thing is None or not thing.label.startswith("thing:"):
+            return None
+        between = self._text[mark.end : thing.start]
+        told = _FROM.fullmatch(between) is not None
+        if length.unit == "places":
+            told = told or _PAST.fullmatch(between) is not None
+        return phrase_in(self._words(thing)) or None if told else None
 
     def _is_slight(self, mark: Mark) -> bool:
         before = _STOP.split(self._text[max(mark.start - NEAR, 0) : mark.start])[-1]
