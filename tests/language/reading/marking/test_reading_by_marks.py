@@ -4,7 +4,11 @@ import numpy as np
 import pytest
 
 from memorymaze.language.plans import RoutePlan
-from memorymaze.language.reading.marking import WEIGHTS, read_by_marks
+from memorymaze.language.reading.marking import (
+    WEIGHTS,
+    destination_chance,
+    read_by_marks,
+)
 from memorymaze.language.reading.marking.marks import Marker
 from memorymaze.language.reading.marking.network import Judged, Network, encoded
 from memorymaze.language.reading.marking.word_pieces import WordPieces, words_in
@@ -31,6 +35,17 @@ EVERYDAY = {
 @pytest.mark.parametrize("text", EVERYDAY)
 def test_turns_are_told_from_sides_repairs_and_overviews(text: str) -> None:
     assert [each.turn.way for each in read_by_marks(text).legs] == EVERYDAY[text]
+
+
+def test_misspelt_words_are_read_as_they_were_meant() -> None:
+    told = (
+        "Go three segements, turn laft at the piano, and the library is on your right."
+    )
+    meant = (
+        "Go three segments, turn left at the piano, and the library is on your right."
+    )
+    assert read_by_marks(told) == read_by_marks(meant)
+    assert destination_chance(told.replace("library", "libary"), "library") is not None
 
 
 def test_a_text_is_read_the_same_each_time() -> None:

@@ -15,6 +15,7 @@ from memorymaze.language.reading.marking.marks import Marker
 from memorymaze.language.reading.marking.network import Judged, Network
 from memorymaze.language.reading.marking.plans import plan_of_marks
 from memorymaze.language.reading.marking.word_pieces import Word, words_in
+from memorymaze.language.reading.spelling import spelt
 
 __all__ = ["destination_chance", "read_by_marks"]
 
@@ -23,6 +24,7 @@ WEIGHTS = Path(__file__).with_name("data") / "marker.npz"
 
 def read_by_marks(text: str) -> RoutePlan:
     """Return the plan that an English route description gives, as the network marks it."""
+    text = spelt(text)
     words, judged = _judged(text)
     if not words:
         return RoutePlan()
@@ -35,7 +37,7 @@ def destination_chance(text: str, word: str) -> float | None:
 
     Where a text says it several times, the most; None where it does not say it.
     """
-    words, judged = _judged(text)
+    words, judged = _judged(spelt(text))
     plain = [each.text.casefold() for each in words[: len(judged.labels)]]
     said = [n for n, each in enumerate(plain) if word in {each, singular(each)}]
     if not said:
