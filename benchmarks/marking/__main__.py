@@ -23,6 +23,7 @@ from benchmarks.marking.encoder import (
     minilm,
     save,
     states_of,
+    trained_before,
 )
 from benchmarks.marking.marked_texts import (
     MARKED_TEXTS,
@@ -67,6 +68,9 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parser.add_argument(
         "--sail", type=Path, metavar="DIR", help="SAIL's folder, for its marked texts"
     )
+    parser.add_argument(
+        "--weights", type=Path, metavar="FILE", help="trained before, to go on from"
+    )
     parser.add_argument("--out", type=Path, required=True)
     parser.add_argument("--layers", type=int, default=6)
     parser.add_argument("--steps", type=int, default=7000)
@@ -93,7 +97,15 @@ def train(options: argparse.Namespace) -> None:
     vocabulary = frequent_pieces(whole)
     pieces, mask = WordPieces(list(vocabulary)), list(vocabulary).index(MASK)
     device = torch.device(options.device)
-    encoder = Encoder(stored, vocabulary, 1 + 2 * len(kinds), options.layers).to(device)
+    encoder = Encoder(stored, vocabulary, 1 + 2 * len(kinds), options.layers)
+    if options.weights is not None:
+        before = Network(options.weights)
+        if before.kinds != kinds:
+            raise SystemExit(
+                f"{options.weights}: has other labels than the marked texts"
+            )
+        encoder.load_state_dict(trained_before(before))
+    encoder.to(device)
     follows = follow_rates(learned, kinds)
     file = options.out / "marker.npz"
 

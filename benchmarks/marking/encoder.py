@@ -13,7 +13,12 @@ from safetensors.torch import load
 from torch import Tensor, nn
 
 from benchmarks.marking.marked_texts import MarkedWord
-from memorymaze.language.reading.marking.network import HEADS, LONGEST, encoded
+from memorymaze.language.reading.marking.network import (
+    HEADS,
+    LONGEST,
+    Network,
+    encoded,
+)
 from memorymaze.language.reading.marking.word_pieces import Word, WordPieces
 
 SIZE, INNER, DROPOUT = 384, 1536, 0.15
@@ -188,6 +193,16 @@ def _steps_of(text: Sequence[MarkedWord]) -> list[int]:
         else:
             steps.append(NO_LABEL)
     return steps
+
+
+def trained_before(network: Network) -> dict[str, Tensor]:
+    """Return the weights of a network that `save` wrote, as the encoder names them."""
+    return {
+        f"{name}.weight" if name in {"words", "cases"} else name: torch.from_numpy(
+            weight
+        )
+        for name, weight in network.weights.items()
+    }
 
 
 def save(

@@ -13,7 +13,7 @@ from memorymaze.language.reading.marking.word_pieces import Word, words_in
 from memorymaze.texts.corpus import load_corpus
 
 MARKED_TEXTS = Path("examples/marked_texts")
-TIMES = {"shipped": 2, "voices": 2}
+TIMES = {"shipped": 2, "voices": 2, "from_memory": 3, "sail": 3}
 """How often texts count whose manner few others have, by the file they are in."""
 SIDES = frozenset({"left", "right"})
 
@@ -63,6 +63,7 @@ def load_marked_texts(
             number = record["id"]
             person = {
                 "invented": number,
+                "from_memory": number,
                 "sail": number.partition("-")[0],
             }.get(path.stem, number.rpartition("-")[0])
             text = record.get("text") or corpus[number]

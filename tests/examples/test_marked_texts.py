@@ -25,7 +25,7 @@ def _lines(name: str) -> Iterator[dict[str, Any]]:
     return map(json.loads, (MARKED / f"{name}.jsonl").read_text("utf-8").splitlines())
 
 
-@pytest.mark.parametrize("name", ["shipped", "voices", "invented"])
+@pytest.mark.parametrize("name", ["shipped", "voices", "invented", "from_memory"])
 def test_marks_are_found_in_their_texts_one_after_the_other(name: str) -> None:
     developed = {
         each.instruction.id: each.instruction.text
@@ -51,7 +51,9 @@ def test_marks_of_texts_that_are_not_here_are_numbers_of_words() -> None:
             end = after
 
 
-@pytest.mark.parametrize("name", ["shipped", "voices", "invented", "sail"])
+@pytest.mark.parametrize(
+    "name", ["shipped", "voices", "invented", "from_memory", "sail"]
+)
 def test_each_leg_has_one_turn_and_the_destination_comes_after_all(name: str) -> None:
     for line in _lines(name):
         legs = {"turn": [], "dest": []}

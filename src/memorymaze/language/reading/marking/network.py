@@ -76,12 +76,12 @@ class Network:
         """Labels of marks; of each there is a state for its first word and one for others."""
         self.follows = weights.pop("follows").astype(np.float64)
         """How likely one state follows another, (states, states)."""
-        self._weights = {
+        self.weights = {
             name.removesuffix(".rows"): _as_floats(weights, name)
             for name in weights
             if not name.endswith(".factors")
         }
-        count = sum(name.endswith(".query.weight") for name in self._weights)
+        count = sum(name.endswith(".query.weight") for name in self.weights)
         self._layers = [
             _Layer(
                 *(self._linear(f"layers.{n}.{part.name}") for part in fields(_Layer))
@@ -92,11 +92,9 @@ class Network:
     def judge(self, words: Sequence[Word]) -> Judged:
         """Return what each word is likely to be."""
         text = encoded(self.pieces, words)
-        state = self._weights["words"][text.pieces]
-        state = state + self._weights["places"][: len(text.pieces)]
-        state = _normal(
-            state + self._weights["cases"][text.cases], self._linear("norm")
-        )
+        state = self.weights["words"][text.pieces]
+        state = state + self.weights["places"][: len(text.pieces)]
+        state = _normal(state + self.weights["cases"][text.cases], self._linear("norm"))
         for layer in self._layers:
             state = _through(layer, state)
         at = state[text.first]
@@ -107,7 +105,7 @@ class Network:
         )
 
     def _linear(self, name: str) -> _Weights:
-        return self._weights[f"{name}.weight"], self._weights[f"{name}.bias"]
+        return self.weights[f"{name}.weight"], self.weights[f"{name}.bias"]
 
 
 def _through(layer: _Layer, state: _Floats) -> _Floats:
