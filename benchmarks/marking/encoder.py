@@ -197,12 +197,10 @@ def _steps_of(text: Sequence[MarkedWord]) -> list[int]:
 
 def trained_before(network: Network) -> dict[str, Tensor]:
     """Return the weights of a network that `save` wrote, as the encoder names them."""
-    return {
-        f"{name}.weight" if name in {"words", "cases"} else name: torch.from_numpy(
-            weight
-        )
-        for name, weight in network.weights.items()
-    }
+    weights = {name: torch.from_numpy(each) for name, each in network.weights.items()}
+    for each in ("words", "cases"):
+        weights[f"{each}.weight"] = weights.pop(each)
+    return weights
 
 
 def save(

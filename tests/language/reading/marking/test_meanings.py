@@ -26,6 +26,7 @@ from memorymaze.language.reading.marking.meanings import (
         ("ten of my steps", 7.0),
         ("two blocks", 16.0),
         ("One crossing", 8.0),
+        ("0 blocks", 12.0),
         ("two mirrors", 12.0),
         ("a little way", 4.0),
     ],

@@ -95,7 +95,8 @@ def length_in(words: str, unit: str) -> Length:
     if (places := _COUNTED_IN_PLACES.search(said)) is not None:
         told = places["count"]
         count = read_number(told) if told is not None else _TIMES[places[0]]
-        return Length(count * PLACE_METRES, "places", count)
+        if count > 0:
+            return Length(count * PLACE_METRES, "places", count)
     if (number := _NUMBER.search(said)) is not None:
         count = read_number(number["count"])
         rest = said[number.end() :]
