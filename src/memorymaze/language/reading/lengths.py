@@ -94,7 +94,7 @@ _GOING = (
     r"(?:(?<=\bgo )|(?<=\bwalk )|(?<=\bmove )|(?<=forward )|(?<=\bdown )|(?<=\bahead )"
     r"|(?<=straight )|(?<=\bcontinue )|(?<=\bup )|(?<=\balong ))"
 )
-_TIMES = {"once": 1.0, "twice": 2.0, "thrice": 3.0}
+TIMES = {"once": 1.0, "twice": 2.0, "thrice": 3.0}
 _ENDS = r"(?= *(?:[.,;]|$|and\b|then\b|more\b|to\b|or\b|into\b|past\b|turn\b|so\b))"
 PLACES = (
     rf"(?:(?P<count>{_FEW}) (?:(?:more |full |whole |hall(?:way)? )?segments?\b"
@@ -110,12 +110,17 @@ PLACES = (
 def read_places(match: re.Match[str]) -> Length:
     """Return the length of a match of `PLACES`."""
     if match["times"]:
-        count = _TIMES[match["times"]]
+        count = TIMES[match["times"]]
     else:
         words = next(
             match[name] for name in ("count", "places", "bare", "often") if match[name]
         )
         count = read_number(words)
+    return length_in_places(count)
+
+
+def length_in_places(count: float) -> Length:
+    """Return the length of so many corridors, blocks or junctions."""
     return Length(count * PLACE_METRES, "places", count)
 
 

@@ -24,12 +24,11 @@ WEIGHTS = Path(__file__).with_name("data") / "marker.npz"
 
 def read_by_marks(text: str) -> RoutePlan:
     """Return the plan that an English route description gives, as the network marks it."""
-    text = spelt(text)
-    words, judged = _judged(text)
+    meant, words, judged = _judged(text)
     if not words:
         return RoutePlan()
     _, marker = _trained()
-    return plan_of_marks(text, marker.marks(words, judged))
+    return plan_of_marks(meant, marker.marks(words, judged))
 
 
 def destination_chance(text: str, word: str) -> float | None:
@@ -37,7 +36,7 @@ def destination_chance(text: str, word: str) -> float | None:
 
     Where a text says it several times, the most; None where it does not say it.
     """
-    words, judged = _judged(spelt(text))
+    _, words, judged = _judged(text)
     plain = [each.text.casefold() for each in words[: len(judged.labels)]]
     said = [n for n, each in enumerate(plain) if word in {each, singular(each)}]
     if not said:
@@ -49,11 +48,12 @@ def destination_chance(text: str, word: str) -> float | None:
 
 
 @lru_cache(maxsize=4)
-def _judged(text: str) -> tuple[list[Word], Judged]:
-    """Return the words of a text and what the network makes of them."""
-    words = words_in(text)
+def _judged(text: str) -> tuple[str, list[Word], Judged]:
+    """Return a text as it was meant, its words, and what the network makes of them."""
+    meant = spelt(text)
+    words = words_in(meant)
     network, _ = _trained()
-    return words, network.judge(words)
+    return meant, words, network.judge(words)
 
 
 @lru_cache(maxsize=1)

@@ -8,7 +8,8 @@ from memorymaze.language.plans.records import MOST_COUNTED
 from memorymaze.language.reading.lengths import (
     LENGTH,
     NUMBER,
-    PLACE_METRES,
+    TIMES,
+    length_in_places,
     read_length,
     read_number,
     read_vague,
@@ -41,7 +42,6 @@ _PLACE = (
 _COUNTED_IN_PLACES = re.compile(
     rf"\b(?:(?P<count>{NUMBER}) (?:more |full |whole |other )?{_PLACE}|once|twice)\b"
 )
-_TIMES = {"once": 1.0, "twice": 2.0}
 _NUMBER = re.compile(rf"\b(?P<count>\d+(?:\.\d+)?|{NUMBER})(?:[- ]?ish)?\b")
 _NAMED = re.compile(r" (?!(?:more|or|odd|to|and|then|also|maybe|again|further)\b)[a-z]")
 """What comes after a number of things that have a name."""
@@ -94,9 +94,9 @@ def length_in(words: str, unit: str) -> Length:
         return read_length(found)
     if (places := _COUNTED_IN_PLACES.search(said)) is not None:
         told = places["count"]
-        count = read_number(told) if told is not None else _TIMES[places[0]]
+        count = read_number(told) if told is not None else TIMES[places[0]]
         if count > 0:
-            return Length(count * PLACE_METRES, "places", count)
+            return length_in_places(count)
     if (number := _NUMBER.search(said)) is not None:
         count = read_number(number["count"])
         rest = said[number.end() :]

@@ -49,11 +49,10 @@ _LISTED = re.compile(r",?\s+(?:and |then |and then )?(?:an? |the |some |your )?"
 _SENTENCE_END = re.compile(r"[.!?\n]")
 _TOWARDS = re.compile(r"\btowards?\b", re.IGNORECASE)
 _FROM = re.compile(
-    r"\s+(?:\w+\s+)?(?:after|beyond|from|behind)\s+(?:(?:the|an?|your|that|those)\s+)?",
+    r"\s+(?:(?:\w+\s+)?(?:after|beyond|from|behind)|(?P<past>past))\s+"
+    r"(?:(?:the|an?|your|that|those)\s+)?",
     re.IGNORECASE,
 )
-_PAST = re.compile(r"\s+past\s+(?:(?:the|an?|your|that|those)\s+)?", re.IGNORECASE)
-"""Twenty metres past the shops one walks along them, one junction past them behind."""
 _SLIGHT = re.compile(r"\b(?:slight|gentl|bit\b|little|soft)", re.IGNORECASE)
 _WALKS = re.compile(
     r"\b(?:walk|straight|along|down|until|till|continue|keep|ahead|forward|follow|pass"
@@ -267,11 +266,11 @@ class _MarkedLegs:
         thing = next(later, None)
         if thing is None or not thing.label.startswith("thing:"):
             return None
-        between = self._text[mark.end : thing.start]
-        told = _FROM.fullmatch(between) is not None
-        if length.unit == "places":
-            told = told or _PAST.fullmatch(between) is not None
-        return phrase_in(self._words(thing)) or None if told else None
+        told = _FROM.fullmatch(self._text, mark.end, thing.start)
+        # Twenty metres past the shops one walks along them, one junction past them behind.
+        if told is None or (told["past"] is not None and length.unit != "places"):
+            return None
+        return phrase_in(self._words(thing)) or None
 
     def _is_slight(self, mark: Mark) -> bool:
         before = _STOP.split(self._text[max(mark.start - NEAR, 0) : mark.start])[-1]
