@@ -72,9 +72,9 @@ class Layer(nn.Module):
             each(state).view(texts, count, HEADS, -1).transpose(1, 2)
             for each in (self.query, self.key, self.value)
         )
-        seen = nn.functional.scaled_dot_product_attention(
-            query, key, value, attn_mask=there
-        )
+        # On a CPU the fused attention takes five times as long on the way back.
+        near = query @ key.transpose(2, 3) / (SIZE // HEADS) ** 0.5
+        seen = near.masked_fill(~there, -torch.inf).softmax(dim=-1) @ value
         seen = seen.transpose(1, 2).reshape(texts, count, SIZE)
         state = self.norm(state + self.drop(self.output(seen)))
         inner = self.outer(nn.functional.gelu(self.inner(state), approximate="tanh"))
