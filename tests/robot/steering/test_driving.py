@@ -49,6 +49,7 @@ def test_the_robot_stays_upright_and_on_the_floor(scenes: dict[str, Scene]) -> N
     rng = np.random.default_rng(5)
     for _ in range(600):
         driver.tick(float(rng.uniform(-1, 1)), float(rng.uniform(-2, 2)), 0.0)
+        body.base.update_view()
         z, w, i, j = body.base.data.qpos[[2, 3, 4, 5]].tolist()
         assert abs(z) < 0.01
         assert math.hypot(i, j) < 0.02 + 0 * w

@@ -23,6 +23,7 @@ def test_what_nothing_touches_changes_no_motion(scenes: dict[str, Scene]) -> Non
         speed, turn_rate = rng.uniform(0, 1), rng.uniform(-1, 1)
         for base in (whole, tangible):
             base.drive(speed, turn_rate, 5)
+            base.update_view()
         assert whole.pose == tangible.pose
         assert np.array_equal(whole.data.qvel, tangible.data.qvel)
         assert whole.touched_geoms() == tangible.touched_geoms()
@@ -57,6 +58,7 @@ def test_a_robot_that_has_room_moves_as_among_walls(scenes: dict[str, Scene]) ->
         for _ in range(20):
             for base in (among_walls, in_the_open):
                 base.drive(speed, turn_rate, 5)
+                base.update_view()
             assert among_walls.pose == in_the_open.pose
             assert np.array_equal(among_walls.data.qvel, in_the_open.data.qvel)
             assert among_walls.touched_geoms() == in_the_open.touched_geoms()

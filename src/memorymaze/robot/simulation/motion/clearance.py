@@ -69,13 +69,16 @@ class Clearance:
         return np.sort(at[at > 0]).tolist()
 
     def _distances(self, points: FloatArray, tree: STRtree) -> FloatArray:
-        places = np.asarray(shapely.points(points))
+        distances = np.zeros(len(points))
+        on_floor = np.flatnonzero(
+            shapely.contains_xy(self._floor, points[:, 0], points[:, 1])
+        )
+        places = np.asarray(shapely.points(points[on_floor]))
         near, things = tree.query(places, predicate="dwithin", distance=CLEARANCE_RANGE)
-        distances = np.full(len(points), CLEARANCE_RANGE)
+        distances[on_floor] = CLEARANCE_RANGE
         np.minimum.at(
             distances,
-            near,
+            on_floor[near],
             shapely.distance(places[near], tree.geometries[things]),
         )
-        distances[~shapely.contains_xy(self._floor, points[:, 0], points[:, 1])] = 0
         return distances

@@ -150,7 +150,7 @@ class WheeledBase:
         touching nothing else; it moves one that stays within that.
         """
         self.data = mujoco.MjData(model)
-        """State of the physics; read only."""
+        """State of the physics; read only. Its pose is the one of the last `update_view`."""
         moving, geoms = tangible or (model, range(model.ngeom))
         data = self.data if moving is model else mujoco.MjData(moving)
         self._among_walls = moving, data
@@ -171,7 +171,6 @@ class WheeledBase:
         half = start.heading / 2
         self._qpos[:7] = (start.x, start.y, 0, math.cos(half), 0, 0, math.sin(half))
         self._steps = 0
-        self._show()
         self.update_view()
 
     @property
@@ -197,7 +196,6 @@ class WheeledBase:
         self._ctrl[1] = right / WHEEL_RADIUS
         mujoco.mj_step(self._moving_model, self._moving, nstep=steps)
         self._steps += steps
-        self._show()
 
     def _leave_out_what_is_far(
         self, open_floor: tuple[mujoco.MjModel, mujoco.MjData], seconds: float
@@ -257,13 +255,9 @@ class WheeledBase:
             if first != 0 and second != 0
         ]
 
-    def _show(self) -> None:
-        """Have `data` say where the robot is, and how fast."""
-        if self._moving is not self.data:
-            self.data.qpos[:] = self._moving.qpos
-            self.data.qvel[:] = self._moving.qvel
-
     def update_view(self) -> None:
-        """Bring the camera and geom poses in `data` to the present pose."""
+        """Bring the pose and speed in `data`, of camera and geoms too, up to date."""
+        if self._moving is not self.data:
+            self.data.qpos[:], self.data.qvel[:] = self._qpos, self._qvel
         mujoco.mj_kinematics(self._model, self.data)
         mujoco.mj_camlight(self._model, self.data)
