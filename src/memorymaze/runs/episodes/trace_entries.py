@@ -5,6 +5,7 @@ Their fields are those of the lines on disk; see `docs/formats.md`.
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields
+from functools import cache
 from itertools import pairwise
 from typing import Annotated, Any, Literal, TypeVar, cast
 
@@ -221,11 +222,20 @@ def line_of(entry: TraceEntry) -> dict[str, Any]:
             f"{name}_" if name in line else name: what for name, what in told
         }
     line: dict[str, Any] = {"kind": entry.kind}
-    for each in fields(entry):
-        value = getattr(entry, each.name)
-        if value is not None or each.default is not None:
-            line[each.name.rstrip("_")] = value
+    for name, written, is_left_out in _fields_of(type(entry)):
+        value = getattr(entry, name)
+        if value is not None or not is_left_out:
+            line[written] = value
     return line
+
+
+@cache
+def _fields_of(kind: type[TraceEntry]) -> tuple[tuple[str, str, bool], ...]:
+    """Return names, what they are in a line, and whether None is left out there."""
+    return tuple(
+        (each.name, each.name.rstrip("_"), each.default is None)
+        for each in fields(kind)
+    )
 
 
 def read_entry(line: object) -> TraceEntry:
