@@ -150,7 +150,7 @@ class WheeledBase:
         touching nothing else; it moves one that stays within that.
         """
         self.data = mujoco.MjData(model)
-        """State of the physics; read only. Its pose is the one of the last `update_view`."""
+        """State of the physics; read only, up to date as of the last `update_view`."""
         moving, geoms = tangible or (model, range(model.ngeom))
         data = self.data if moving is model else mujoco.MjData(moving)
         self._among_walls = moving, data
