@@ -142,6 +142,8 @@ class Arrivals:
     def endings(self, belief: Belief) -> list[Ending]:
         """Return all places to arrive at."""
         found: list[Ending] = []
+        self._seen = [*self._sightings()]
+        self._seen_on: dict[tuple[int, int], list[tuple[Sighting, float]]] = {}
         for visit in belief.visits:
             if visit.stretch is None:
                 found.extend(self._at_crossing(visit))
@@ -162,14 +164,11 @@ class Arrivals:
         assert stretch is not None
         start = self._floor.crossings[stretch.start].place
         end = self._floor.crossings[stretch.end].place
-        for sighting in self._sightings():
-            if distance_to_line(sighting.place, (start, end)) > BESIDE:
-                continue
-            if distance_to_line(sighting.seen_from, (start, end)) > BESIDE:
-                continue
-            along = metres_along(sighting.place, start, end)
-            if self._is_off(sighting, stretch, along):
-                continue
+        # Many alignments pass one stretch.
+        key = stretch.start, stretch.exit
+        if key not in self._seen_on:
+            self._seen_on[key] = [*self._on(stretch, start, end)]
+        for sighting, along in self._seen_on[key]:
             ratio = self.seen(sighting, (start, end), (*segment.line, end))
             yield Ending(
                 stretch.start,
@@ -231,6 +230,19 @@ class Arrivals:
                             sighting,
                             f"{sighting.phrase} seen ahead",
                         )
+
+    def _on(
+        self, stretch: Stretch, start: Point, end: Point
+    ) -> Iterator[tuple[Sighting, float]]:
+        """Yield what may be the place on a stretch, and how many metres along it."""
+        for sighting in self._seen:
+            if distance_to_line(sighting.place, (start, end)) > BESIDE:
+                continue
+            if distance_to_line(sighting.seen_from, (start, end)) > BESIDE:
+                continue
+            along = metres_along(sighting.place, start, end)
+            if not self._is_off(sighting, stretch, along):
+                yield sighting, along
 
     def _is_off(self, sighting: Sighting, stretch: Stretch, along: float) -> bool:
         """Tell whether something beyond an end of a stretch is on another way there."""

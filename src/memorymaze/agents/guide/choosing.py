@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from memorymaze.agents.guide.alignments import Frontier
 from memorymaze.agents.guide.arriving import SAME_PLACE, Ending
 from memorymaze.agents.guide.tellings import Tellings
+from memorymaze.agents.walking.floor_map import Point
 from memorymaze.agents.walking.outlooks import LEG_METRES, expected_metres
 from memorymaze.agents.walking.walker import Walker
 from memorymaze.language.plans import RoutePlan
@@ -72,8 +73,9 @@ class Choice:
         self._limit = max(map(_walk_limit, plans))
 
     def update(self) -> None:
-        """Measure anew from where the robot is."""
+        """Measure anew from where the robot is, and by what is believed now."""
         self._distances = self._walker.map.distances_from(self._walker.at)
+        self._masses: dict[Point, float] = {}
 
     def walk_on_for(self, plan: RoutePlan) -> None:
         """Allow for the metres of a way that was told on the way."""
@@ -90,7 +92,11 @@ class Choice:
 
     def mass_about(self, ending: Ending) -> float:
         """Sum the belief in places to arrive at that are as good as this one."""
-        return sum(each.mass for each in self._same_place(ending))
+        # Many alignments end at one place.
+        if ending.place not in self._masses:
+            near = self._same_place(ending)
+            self._masses[ending.place] = sum(each.mass for each in near)
+        return self._masses[ending.place]
 
     def _same_place(self, ending: Ending) -> list[Ending]:
         return [

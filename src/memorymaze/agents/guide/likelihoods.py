@@ -460,10 +460,13 @@ class Heard(NamedTuple):
     @property
     def of_all(self) -> Weights:
         """Of every speaker there may be."""
+        if self == NOTHING:
+            return _ALIKE
         return np.where(_CAREFUL, self.careful, self.careless)
 
 
 NOTHING = Heard(1.0, 1.0)
+_ALIKE = _fixed(np.ones(len(SPEAKERS)))
 
 
 @lru_cache(maxsize=4096)

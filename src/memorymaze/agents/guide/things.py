@@ -230,10 +230,13 @@ class Things:
         One that is seen some way down a way not walked yet tells nothing: there may be
         a place to turn beside it.
         """
+        seen_anywhere = self._floor.seen(mention.phrase)
+        if not seen_anywhere:
+            return None
         rim = self._floor.rim_of(at)
         near = [
             (each, nearness)
-            for each in self._floor.seen(mention.phrase)
+            for each in seen_anywhere
             if (nearness := self._floor.nearness(each.place, place, rim)) > 0
         ]
         here = [each for each in near if at is None or not self._is_on(each[0], at)]
