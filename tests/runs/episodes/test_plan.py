@@ -37,6 +37,13 @@ def test_nothing_is_planned_for_an_agent_that_does_not_exist(tmp_path: Path) -> 
         plan_run(AgentSettings("nobody"), settings=RunSettings(limit=1))
 
 
+def test_looks_that_are_no_file_are_refused_though_the_agent_takes_no_pictures(
+    tiny_plan: Plan,
+) -> None:
+    with pytest.raises(SettingsError, match=r"nowhere\.glb.*no file here"):
+        tiny_plan("stop", looks="nowhere.glb")
+
+
 def test_the_shipped_instructions_need_the_shipped_sites(
     tiny_sites_folder: Path,
 ) -> None:

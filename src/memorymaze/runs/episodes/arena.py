@@ -162,15 +162,20 @@ def checked_eyes(settings: RunSettings) -> Eyes:
 def looks_of_run(
     agent: AgentSettings, needs: frozenset[Need], settings: RunSettings
 ) -> Looks | None:
-    """Return how things look to the cameras of a run; None where nothing is drawn."""
+    """Return how things look to the cameras of a run; None where nothing is drawn.
+
+    Looks that are named are checked all the same.
+    """
     # An agent of a user's own that declares nothing may take pictures all the same.
     may_look = "camera" in needs or (agent.is_own and not needs)
-    if not (may_look or Eyes(settings.detector, settings.signs).need_pictures):
+    drawn = may_look or Eyes(settings.detector, settings.signs).need_pictures
+    if not drawn and settings.looks is None:
         return None
     # Only these runs load the looks of things.
     from memorymaze.world.looks.catalogue import check_looks
 
-    return check_looks(settings.looks or OWN)
+    looks = check_looks(settings.looks or OWN)
+    return looks if drawn else None
 
 
 def model_of_people(
