@@ -142,8 +142,8 @@ class Arrivals:
     def endings(self, belief: Belief) -> list[Ending]:
         """Return all places to arrive at."""
         found: list[Ending] = []
-        self._seen = [*self._sightings()]
-        self._seen_on: dict[tuple[int, int], list[tuple[Sighting, float]]] = {}
+        self._candidates = [*self._sightings()]
+        self._candidates_on: dict[tuple[int, int], list[tuple[Sighting, float]]] = {}
         for visit in belief.visits:
             if visit.stretch is None:
                 found.extend(self._at_crossing(visit))
@@ -166,9 +166,9 @@ class Arrivals:
         end = self._floor.crossings[stretch.end].place
         # Many alignments pass one stretch.
         key = stretch.start, stretch.exit
-        if key not in self._seen_on:
-            self._seen_on[key] = [*self._on(stretch, start, end)]
-        for sighting, along in self._seen_on[key]:
+        if key not in self._candidates_on:
+            self._candidates_on[key] = [*self._find_on(stretch, start, end)]
+        for sighting, along in self._candidates_on[key]:
             ratio = self.seen(sighting, (start, end), (*segment.line, end))
             yield Ending(
                 stretch.start,
@@ -231,11 +231,11 @@ class Arrivals:
                             f"{sighting.phrase} seen ahead",
                         )
 
-    def _on(
+    def _find_on(
         self, stretch: Stretch, start: Point, end: Point
     ) -> Iterator[tuple[Sighting, float]]:
         """Yield what may be the place on a stretch, and how many metres along it."""
-        for sighting in self._seen:
+        for sighting in self._candidates:
             if distance_to_line(sighting.place, (start, end)) > BESIDE:
                 continue
             if distance_to_line(sighting.seen_from, (start, end)) > BESIDE:
