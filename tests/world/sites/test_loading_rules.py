@@ -98,6 +98,13 @@ BROKEN = [
         "route_r1_reference",
         {SHAPE: [[-3, 0], [16.5, 0]]},
     ),
+    (
+        "route-on-floor",
+        "corridor",
+        "route_r1_reference",
+        {SHAPE: [[3, 0], [9, 30], [16.5, 0]]},
+    ),
+    ("members", "loop", "box", {"properties.category": " \u00a0"}),
 ]
 
 
@@ -120,6 +127,11 @@ def test_a_plan_that_cannot_be_used_is_refused_by_feature_and_rule(
     rule: str, name: str, feature: str, changes: dict[str, Any], changed: Changed
 ):
     _refused(changed(name, feature, changes), feature, rule)
+
+
+def test_an_id_that_is_another_routes_name_is_refused(changed: Changed) -> None:
+    told = changed("loop", "route_r1_alternative", {"id": "R1"})
+    _refused(told, "R1", "one-reference")
 
 
 def test_an_id_of_another_type_or_with_line_breaks_is_shown_safely(changed: Changed):

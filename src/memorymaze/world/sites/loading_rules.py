@@ -2,9 +2,12 @@
 
 from collections.abc import Iterator, Mapping
 
+import numpy as np
+import shapely
 from shapely import Point, union_all
 
 from memorymaze.basics.geometry.grid import LARGEST_FLOOR
+from memorymaze.basics.geometry.polyline import resample
 from memorymaze.world.sites.problems import PLAN, SiteProblem
 from memorymaze.world.sites.records import Site, floor_pieces
 
@@ -12,6 +15,9 @@ SMALLEST_FREE_FLOOR = 0.01
 """Square metres."""
 FLOOR_ACROSS = 2000.0
 """Metres along the longer side of the floor's bounding box, at most."""
+OFF_FLOOR = 0.5
+"""Metres that a route's line may lie off the floor, as scoring allows; it is looked at in
+steps of as many."""
 FLOOR_RULES = frozenset({"floor-size", "floor-connected", "floor-free"})
 """Rules whose breach leaves no floor to judge anything else by."""
 
@@ -100,6 +106,14 @@ def _routes(site: Site, broken: Mapping[str, str]) -> Iterator[SiteProblem]:
                 f"expected a reference route called {route.route} beside this "
                 "alternative, got none",
             )
+        owner = references.get(route.id)
+        if owner is not None and owner != route.id:
+            yield SiteProblem(
+                route.id,
+                "one-reference",
+                f"expected an id that no other route has as its name, got {route.id!r}, "
+                f"which is what {owner!r} is called: it would be told apart by nothing",
+            )
 
 
 def _floor(site: Site) -> Iterator[SiteProblem]:
@@ -169,3 +183,13 @@ def _routes_on_floor(site: Site) -> Iterator[SiteProblem]:
                     f"({position[0]:.2f}, {position[1]:.2f}), "
                     f"{floor.distance(Point(position)):.2f} m outside it",
                 )
+        within = resample(route.line.coords, OFF_FLOOR)[1:-1, :2]
+        off = np.asarray(shapely.distance(floor, shapely.points(within)))
+        if (off > OFF_FLOOR).any():
+            x, y = within[off.argmax()].tolist()
+            yield SiteProblem(
+                route.id,
+                "route-on-floor",
+                f"expected a line on the walkable floor, at most {OFF_FLOOR} m off it, "
+                f"got ({x:.2f}, {y:.2f}), {off.max():.2f} m outside it",
+            )

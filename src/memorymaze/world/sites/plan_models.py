@@ -17,6 +17,14 @@ Coordinate = Annotated[float, Field(ge=-FARTHEST, le=FARTHEST)]
 _Position = Annotated[list[Coordinate], Field(min_length=2)]
 _AnyText = Annotated[str, AfterValidator(writable)]
 _Text = Annotated[_AnyText, Field(min_length=1)]
+
+
+def _with_a_word(text: str) -> str:
+    if not text.split():
+        raise ValueError("expected a word, got blanks alone")
+    return text
+
+
 Identity = Annotated[str, Field(pattern=r"^[^\p{C}]+$")]
 """Any text without control characters, so that a message about it is one line."""
 Degrees = Annotated[float, Field(ge=-360_000, le=360_000)]
@@ -130,7 +138,7 @@ class _DoorProperties(_OpenModel):
 
 
 class _LandmarkProperties(_OpenModel):
-    category: _Text
+    category: Annotated[_Text, AfterValidator(_with_a_word)]
     color: _AnyText | None
     name: _AnyText | None
     text: _AnyText | None
