@@ -78,6 +78,15 @@ def test_equal_settings_do_not_differ(settings: RunDefinition) -> None:
     assert differences(settings, replace(settings)) == []
 
 
+def test_a_budget_given_in_seconds_differs_from_that_of_each_way(
+    settings: RunDefinition,
+) -> None:
+    by_way = replace(settings, time_budget=None, budget_by="way")
+    longest = settings.simulation.time_budget
+    [difference] = differences(by_way, replace(by_way, time_budget=longest))
+    assert str(difference) == f"time_budget: None there, {longest} here"
+
+
 def test_one_more_site_is_a_difference(settings: RunDefinition) -> None:
     more = replace(settings, sites=(*settings.sites, FileStamp("annex", "ff")))
     assert differences(settings, more) == [

@@ -347,6 +347,9 @@ def differences(old: RunDefinition, new: RunDefinition) -> list[Difference]:
     if old.scales_budget and new.scales_budget:
         # That of the longest route of all, which limits no episode.
         not_compared.add("simulation.time_budget")
+    elif old.scales_budget != new.scales_budget:
+        # The one of the longest route may be what the other one gives to each.
+        not_compared.discard("time_budget")
     return [
         Difference(kind, name, before.get((kind, name)), after.get((kind, name)))
         for kind, name in {**before, **after}
