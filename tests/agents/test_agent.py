@@ -41,7 +41,12 @@ def test_a_note_reaches_the_listener() -> None:
     heard: list[Note] = []
     journal = Journal(listener=heard.append)
     journal.note("steps", steps=["go"])
-    assert heard == journal.notes == [OwnNote("steps", {"steps": ["go"]})]
+    assert heard == [*journal.notes] == [OwnNote("steps", {"steps": ["go"]})]
+
+
+def test_what_is_no_note_cannot_be_put_among_the_notes() -> None:
+    with pytest.raises(AttributeError):
+        Journal().notes.append("x")  # pyright: ignore
 
 
 def test_a_counted_reply_is_added_up_and_noted():
@@ -55,7 +60,7 @@ def test_a_counted_reply_is_added_up_and_noted():
 
     assert (journal.model_calls, journal.tokens) == (2, 84)
     assert (journal.cost_usd, journal.inference_s) == (0.5, 3.0)
-    assert journal.notes == heard
+    assert [*journal.notes] == heard
     assert (heard[1].about, heard[1].details) == (
         "model_reply",
         {
@@ -96,4 +101,4 @@ def test_a_confidence_that_is_no_probability_is_refused_where_it_is_noted(
         ValueError, match=r"note\('arrival', confidence=…\): expected a probability"
     ):
         journal.note("arrival", confidence=value)
-    assert journal.notes == []
+    assert not journal.notes

@@ -108,7 +108,7 @@ class Journal:
     cost_usd: float = 0.0
     inference_s: float = 0.0
     """Real seconds that replies took, all together."""
-    notes: list[Note] = field(default_factory=list[Note])
+    _notes: list[Note] = field(default_factory=list[Note], init=False)
     listener: Callable[[Note], None] | None = None
     on_completion: Callable[[Completion], float] | None = None
     """Lets the time of a reply pass for the robot; returns the simulated seconds."""
@@ -135,9 +135,14 @@ class Journal:
         if note.about in _ENDINGS and told is not None:
             what = f"journal.note({note.about!r}, confidence=…)"
             _checked(what, "a probability from 0 to 1", told, float, most=1)
-        self.notes.append(note)
+        self._notes.append(note)
         if self.listener is not None:
             self.listener(note)
+
+    @property
+    def notes(self) -> tuple[Note, ...]:
+        """Everything noted so far; `note` and `add` write more."""
+        return tuple(self._notes)
 
     @property
     def confidence(self) -> float | None:
@@ -153,7 +158,7 @@ class Journal:
 
     @property
     def _endings(self) -> list[Note]:
-        return [each for each in self.notes if each.about in _ENDINGS]
+        return [each for each in self._notes if each.about in _ENDINGS]
 
     def ask(self, model: LanguageModel, request: CompletionRequest, stage: str) -> str:
         """Return a model's reply to what it is asked at a stage, such as `program`."""

@@ -131,4 +131,13 @@ def checked_agent(name: str, agent: Any) -> Agent:
             f"agent {name!r}: expected follow(instruction, robot, journal, rng), got "
             f"follow{signature}"
         ) from None
+    if (
+        inspect.iscoroutinefunction(follow)
+        or inspect.isgeneratorfunction(follow)
+        or inspect.isasyncgenfunction(follow)
+    ):
+        raise SettingsError(
+            f"agent {name!r}: expected a follow that walks when it is called, got one "
+            "with async or yield, of which nothing would run"
+        )
     return agent

@@ -1,5 +1,7 @@
 import sys
+from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -240,6 +242,31 @@ def test_a_class_that_cannot_be_made_is_refused_with_what_to_do() -> None:
     ) as e:
         choose_agent(Picky).make()  # pyright: ignore[reportArgumentType]
     assert str(e.value).endswith("hand over an object instead")
+
+
+class Sleeper:
+    name = "sleeper"
+
+    async def follow(self, *_: object) -> None:
+        raise AssertionError("is never run")
+
+
+class Yielder:
+    name = "yielder"
+
+    def follow(self, *_: object) -> Iterator[None]:
+        yield None
+
+
+@pytest.mark.parametrize("agent", [Sleeper(), Yielder()])
+def test_a_follow_of_which_nothing_would_run_is_refused(agent: Any) -> None:
+    with pytest.raises(SettingsError, match="async or yield"):
+        choose_agent(agent).make()
+
+
+def test_the_name_of_a_model_is_no_settings_of_one() -> None:
+    with pytest.raises(SettingsError, match=r"expected ModelSettings\(model=…\), got"):
+        choose_agent("navgpt", "gpt-4o-mini")  # pyright: ignore[reportArgumentType]
 
 
 MODEL = ModelSettings(model="m", base_url="http://127.0.0.1:9/v1")

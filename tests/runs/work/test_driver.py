@@ -7,10 +7,11 @@ import sys
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
-from memorymaze.basics.errors import MemoryMazeError, RunFolderError
+from memorymaze.basics.errors import MemoryMazeError, RunFolderError, SettingsError
 from memorymaze.runs.episodes.plan import RunPlan
 from memorymaze.runs.episodes.results import EpisodeResult
 from memorymaze.runs.episodes.trace import read_trace, trace_path
@@ -211,6 +212,15 @@ def test_a_finished_run_is_resumed_without_doing_anything(
     assert (tmp_path / "episodes.jsonl").read_bytes() == lines
     with pytest.raises(RunFolderError, match="holds a run already"):
         run_plan(plan, tmp_path)
+
+
+@pytest.mark.parametrize("workers", [-1, True, "2", 1.5])
+def test_what_is_no_number_of_workers_is_refused_before_there_is_a_folder(
+    tmp_path: Path, tiny_plan: Plan, workers: Any
+) -> None:
+    with pytest.raises(SettingsError, match="workers: expected a whole number"):
+        run_plan(tiny_plan("stop", limit=1), tmp_path / "run", workers=workers)
+    assert not (tmp_path / "run").exists()
 
 
 def test_an_agent_that_cannot_be_made_in_a_worker_ends_the_run_with_its_reason(

@@ -237,6 +237,11 @@ def choose_agent(
     else:
         settings, handed = _settings_of(agent), agent
     if language_model is not None:
+        if not isinstance(language_model, ModelSettings):  # pyright: ignore[reportUnnecessaryIsInstance]
+            raise SettingsError(
+                "language_model: expected ModelSettings(model=…), got "
+                f"{language_model!r}"
+            )
         if settings.language_model != ModelSettings():
             raise SettingsError(
                 f"language_model: the settings of the agent {settings.name!r} name one "

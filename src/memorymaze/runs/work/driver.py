@@ -37,7 +37,9 @@ def run_plan(
     takes more real seconds than the run's `wall_limit` is given up as `crash`.
     `SpendingLimitReached` and `KeyboardInterrupt` are passed on when all workers have ended.
     """
-    workforce = LocalWorkforce(workers) if isinstance(workers, int) else workers
+    workforce = (
+        LocalWorkforce(workers) if isinstance(workers, int | float | str) else workers
+    )
     workforce.check(plan.settings)
     path = Path(folder)
     now = datetime.now(UTC).isoformat(timespec="seconds")
@@ -55,7 +57,11 @@ def run_plan(
         queue = _Queue(EpisodeTask(episode) for episode in waiting)
         limit: str | None = None
         with (
-            Progress(len(plan.episodes), len(run.finished)) as progress,
+            Progress(
+                len(plan.episodes),
+                len(run.finished),
+                successes=sum(each.success for each in run.finished.values()),
+            ) as progress,
             WorkerPool(
                 workforce.source(plan, path, len(waiting)), plan.settings.wall_limit
             ) as pool,

@@ -12,7 +12,7 @@ from multiprocessing.connection import Connection, wait
 from pathlib import Path
 from typing import Literal
 
-from memorymaze.basics.errors import MemoryMazeError
+from memorymaze.basics.errors import MemoryMazeError, SettingsError
 from memorymaze.basics.processes import (
     available_cores,
     die_with_parent,
@@ -38,6 +38,14 @@ class LocalWorkforce:
 
     workers: int = 0
     """0 for one per core; for one alone where robots have a body of a user's own."""
+
+    def __post_init__(self) -> None:
+        """Refuse what is no number of processes."""
+        if type(self.workers) is not int or self.workers < 0:
+            raise SettingsError(
+                "workers: expected a whole number of processes, 0 for one per core, got "
+                f"{self.workers!r}"
+            )
 
     def __str__(self) -> str:
         """Say how many there are."""

@@ -14,11 +14,18 @@ SECONDS_BETWEEN_LINES = 15.0
 class Progress:
     """Shows how many episodes are done; use it in a `with`."""
 
-    def __init__(self, total: int, done: int, stream: TextIO | None = None) -> None:
-        """Begin the clock."""
+    def __init__(
+        self,
+        total: int,
+        done: int,
+        stream: TextIO | None = None,
+        *,
+        successes: float = 0.0,
+    ) -> None:
+        """Begin the clock, with what was done before, and how much of it succeeded."""
         self._stream = sys.stderr if stream is None else stream
         self._total, self._before, self._done = total, done, done
-        self._successes = 0
+        self._successes = successes
         self._began = self._said = time.monotonic()
         self._bar: tqdm[NoReturn] | None = None
         if self._stream.isatty():
@@ -49,7 +56,7 @@ class Progress:
             print(self._line(now), file=self._stream, flush=True)
 
     def _rate(self) -> float:
-        return self._successes / (self._done - self._before)
+        return self._successes / self._done
 
     def _line(self, now: float) -> str:
         spent = now - self._began
