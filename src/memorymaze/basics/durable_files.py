@@ -3,7 +3,7 @@
 import fcntl
 import os
 import shutil
-from collections.abc import Callable, Generator
+from collections.abc import Callable, Generator, Iterable
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -43,6 +43,15 @@ def check_new_file(path: Path) -> None:
     if path.exists():
         raise SettingsError(
             f"--out {path}: exists already; choose another name, or delete it"
+        )
+
+
+def check_no_input(out: str | Path, inputs: Iterable[str | Path]) -> None:
+    """Refuse to write over what is read."""
+    place = Path(out).resolve()
+    if any(Path(each).resolve() == place for each in inputs):
+        raise SettingsError(
+            f"--out {out}: is read here, and would be lost; choose another name"
         )
 
 

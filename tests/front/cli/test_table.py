@@ -28,6 +28,17 @@ def test_every_format_is_written_to_stdout(memorymaze: Memorymaze, run: Path) ->
     assert {row["table"] for row in csv.DictReader(io.StringIO(text))} == {"II", "III"}
 
 
+def test_a_table_is_not_written_over_the_results_it_is_made_of(
+    memorymaze: Memorymaze, run: Path
+) -> None:
+    results = run / "episodes.jsonl"
+    before = results.read_bytes()
+    said = memorymaze("table", run, "--out", results)
+    assert said.code == 2
+    assert "is read here, and would be lost" in said.err
+    assert results.read_bytes() == before
+
+
 def test_development_texts_are_left_out_on_demand(
     memorymaze: Memorymaze, run: Path
 ) -> None:

@@ -53,6 +53,7 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def _run(options: argparse.Namespace) -> None:
+    from memorymaze.basics.durable_files import check_no_input, write_whole
     from memorymaze.basics.errors import SettingsError
     from memorymaze.basics.tables import write_tables
     from memorymaze.front.cli.agent_options import given_options
@@ -60,11 +61,15 @@ def _run(options: argparse.Namespace) -> None:
 
     if options.format == "parquet" and options.out is None:
         raise SettingsError("--format parquet: name the file to write with --out")
+    if options.out is not None:
+        check_no_input(
+            options.out, [f for run in options.runs for f in Path(run).glob("*")]
+        )
     absent = dict(given_options(options.absent, "--absent"))
     runs = load_runs(options.runs, exclude_dev=options.exclude_dev)
     content = write_tables(run_tables(runs, options.table, absent), options.format)
     if options.out is None:
         print(content.decode(), end="")
     else:
-        Path(options.out).write_bytes(content)
+        write_whole(Path(options.out), content)
         print(options.out)

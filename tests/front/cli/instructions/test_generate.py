@@ -88,3 +88,15 @@ def test_wrong_usage_is_explained(
     assert told.code == 2
     assert said in told.err
     assert not out.exists()
+
+
+def test_texts_are_not_written_over_those_they_are_made_of(
+    memorymaze: Memorymaze, tiny_files: list[str], tmp_path: Path
+) -> None:
+    texts = tmp_path / "mine.jsonl"
+    texts.write_bytes(Path(tiny_files[1]).read_bytes())
+    before = texts.read_bytes()
+    told = memorymaze("instructions", "generate", "--from", texts, "--out", texts)
+    assert told.code == 2
+    assert "is read here, and would be lost" in told.err
+    assert texts.read_bytes() == before

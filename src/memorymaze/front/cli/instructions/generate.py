@@ -74,6 +74,7 @@ def add_parser(actions: Verbs) -> None:
 
 
 def _run(options: argparse.Namespace) -> int:
+    from memorymaze.basics.durable_files import check_no_input
     from memorymaze.texts.corpus.files import write_instructions
     from memorymaze.texts.writing import (
         GenerationRequest,
@@ -81,6 +82,7 @@ def _run(options: argparse.Namespace) -> int:
         parse_rates,
     )
 
+    check_no_input(options.out, options.sources or ())
     default = "failure=1" if options.sources else "published"
     request = GenerationRequest(
         sites_folder=options.sites,

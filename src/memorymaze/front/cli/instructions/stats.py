@@ -36,6 +36,7 @@ def add_parser(actions: Verbs) -> None:
 
 
 def _run(options: argparse.Namespace) -> None:
+    from memorymaze.basics.durable_files import check_no_input
     from memorymaze.basics.errors import SettingsError
     from memorymaze.texts.corpus import load_corpus
     from memorymaze.texts.corpus.record_format import write_file
@@ -47,6 +48,8 @@ def _run(options: argparse.Namespace) -> None:
         raise SettingsError("--format html: expected --out FILE, got none")
     if options.out is not None and Path(options.out).is_dir():
         raise SettingsError(f"--out {options.out}: expected a file, got a folder")
+    if options.out is not None:
+        check_no_input(options.out, options.files)
     corpus = load_corpus(options.files or None, sites=options.sites)
     text = write_study(
         corpus.instructions, corpus.sites, options.format, seed=options.seed
