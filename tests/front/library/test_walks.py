@@ -73,6 +73,13 @@ def test_settings_are_changed_by_name(corridor: Path) -> None:
         mm.follow("Go.", Ahead, site=corridor, time_buget=4.0)
 
 
+def test_what_is_said_of_runs_of_many_episodes_is_refused_of_one_walk(
+    corridor: Path,
+) -> None:
+    with pytest.raises(SettingsError, match="wall_limit: is of runs of many episodes"):
+        mm.follow("Go.", Ahead, site=corridor, wall_limit=5)
+
+
 def test_a_robot_by_hand_says_where_it_is(corridor: Path) -> None:
     robot = mm.make_robot(corridor)
     assert "corridor: x 2.00 m, y 0.00 m" in repr(robot)

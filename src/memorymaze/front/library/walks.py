@@ -1,5 +1,6 @@
 """One robot in a building, and one instruction followed by an agent."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -28,6 +29,9 @@ if TYPE_CHECKING:
     from memorymaze.basics.geometry.trajectory import Trajectory
     from memorymaze.runs.episodes.episode import EpisodeRun, Watcher
     from memorymaze.runs.episodes.results import EpisodeResult
+
+OF_MANY_EPISODES = ("limit", "shard", "split", "second_telling", "wall_limit")
+"""Settings that say which episodes a run has, and how long one waits for each."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -130,7 +134,7 @@ def follow(
         way,
         text,
         agent,
-        with_choices(settings or RunSettings(), choices),
+        _of_one_walk(settings, choices),
         watcher=watcher,
         language_model=language_model,
     )
@@ -161,7 +165,7 @@ def make_robot(
         MemoryMazeError: Something that was given cannot be used.
     """
     building = site if isinstance(site, Site) else load_site(site)
-    chosen = with_choices(settings or RunSettings(), choices)
+    chosen = _of_one_walk(settings, choices)
     if chosen.ask is not None:
         raise SettingsError(
             f"ask: expected none for a robot driven by hand, got {chosen.ask}; people "
@@ -176,3 +180,16 @@ def make_robot(
         odometry=None if chosen.noise is None else chosen.noise.odometry,
         looks=chosen.looks or OWN,
     )
+
+
+def _of_one_walk(
+    settings: RunSettings | None, choices: Mapping[str, Any]
+) -> RunSettings:
+    """Return settings with some changed; refuse by name what means nothing here."""
+    for name in OF_MANY_EPISODES:
+        if name in choices:
+            raise SettingsError(
+                f"setting {name}: is of runs of many episodes, and this is one walk; "
+                "leave it out, or use evaluate()"
+            )
+    return with_choices(settings or RunSettings(), choices)
