@@ -47,5 +47,7 @@ def test_looks_that_are_no_file_are_refused_though_the_agent_takes_no_pictures(
 def test_the_shipped_instructions_need_the_shipped_sites(
     tiny_sites_folder: Path,
 ) -> None:
-    with pytest.raises(MemoryMazeError, match=r"role_played\.jsonl:1: field 'site'"):
+    with pytest.raises(
+        MemoryMazeError, match="name the instructions of your buildings"
+    ):
         plan_run(AgentSettings("stop"), load_corpus(sites=tiny_sites_folder))

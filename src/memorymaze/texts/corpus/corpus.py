@@ -68,7 +68,15 @@ def load_corpus(
         known = load_sites(sites)
     else:
         known = {site.name: site for site in sites}
-    read = episodes(load_instructions(files), known)
+    told = load_instructions(files)
+    needed = {each.site for each in told}
+    if source is None and not needed <= known.keys():
+        names = ", ".join(sorted(needed))
+        raise SettingsError(
+            f"sites: the shipped instructions are of {names}, which are not all there; "
+            "name the instructions of your buildings as well (--instructions FILE)"
+        )
+    read = episodes(told, known)
     return Corpus(
         name,
         tuple(read),
