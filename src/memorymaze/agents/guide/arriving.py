@@ -2,7 +2,7 @@
 
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -103,6 +103,11 @@ class Ending:
     def mass(self) -> float:
         """How much of the belief ends there, unnormalised."""
         return mass_of(self.weights)
+
+
+def endings_at(endings: Iterable[Ending], place: Point) -> list[Ending]:
+    """Return those that are at a place."""
+    return [each for each in endings if math.dist(each.place, place) < SAME_PLACE]
 
 
 class Arrivals:

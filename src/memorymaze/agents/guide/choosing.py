@@ -5,7 +5,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from memorymaze.agents.guide.alignments import Frontier
-from memorymaze.agents.guide.arriving import SAME_PLACE, Ending
+from memorymaze.agents.guide.arriving import Ending, endings_at
 from memorymaze.agents.guide.tellings import Tellings
 from memorymaze.agents.walking.floor_map import Point
 from memorymaze.agents.walking.outlooks import LEG_METRES, expected_metres
@@ -94,16 +94,9 @@ class Choice:
         """Sum the belief in places to arrive at that are as good as this one."""
         # Many alignments end at one place.
         if ending.place not in self._masses:
-            near = self._same_place(ending)
+            near = endings_at(self._tellings.endings, ending.place)
             self._masses[ending.place] = sum(each.mass for each in near)
         return self._masses[ending.place]
-
-    def _same_place(self, ending: Ending) -> list[Ending]:
-        return [
-            each
-            for each in self._tellings.endings
-            if math.dist(each.place, ending.place) < SAME_PLACE
-        ]
 
     def _is_enough(self, ending: Ending, frontier: Frontier) -> bool:
         """Tell whether what going on may still show is worth less than stopping."""
@@ -155,7 +148,8 @@ class Choice:
         best = max(self._tellings.endings, key=self.value, default=None)
         if best is None or best.mass <= 0.0:
             return None
-        return max(self._same_place(best), key=lambda each: each.mass)
+        near = endings_at(self._tellings.endings, best.place)
+        return max(near, key=lambda each: each.mass)
 
     def _too_far_for(self, frontier: Frontier, ending: Ending | None) -> bool:
         """Tell whether after one more stretch there is no time to come back.

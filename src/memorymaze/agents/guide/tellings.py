@@ -10,7 +10,7 @@ from itertools import chain
 from statistics import fmean
 
 from memorymaze.agents.guide.alignments import AssumedStart, Frontier, Segment
-from memorymaze.agents.guide.arriving import SAME_PLACE, Arrivals, Ending
+from memorymaze.agents.guide.arriving import Arrivals, Ending, endings_at
 from memorymaze.agents.guide.belief import Belief
 from memorymaze.agents.guide.likelihoods import Likelihoods
 from memorymaze.agents.guide.signs import Pointers
@@ -108,7 +108,7 @@ class Telling:
         """Return how likely it takes a place for the destination."""
         # Many alignments end at one place.
         if place not in self._shares_at:
-            near = [e for e in self.endings if math.dist(e.place, place) < SAME_PLACE]
+            near = endings_at(self.endings, place)
             self._shares_at[place] = sum(each.mass for each in near) / self.total
         return self._shares_at[place]
 
