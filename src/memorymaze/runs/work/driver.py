@@ -37,9 +37,7 @@ def run_plan(
     takes more real seconds than the run's `wall_limit` is given up as `crash`.
     `SpendingLimitReached` and `KeyboardInterrupt` are passed on when all workers have ended.
     """
-    workforce = (
-        LocalWorkforce(workers) if isinstance(workers, int | float | str) else workers
-    )
+    workforce = workers if isinstance(workers, Workforce) else LocalWorkforce(workers)
     workforce.check(plan.settings)
     path = Path(folder)
     now = datetime.now(UTC).isoformat(timespec="seconds")

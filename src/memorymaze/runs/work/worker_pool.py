@@ -13,7 +13,7 @@ import time
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Literal, Protocol
+from typing import Any, Literal, Protocol, runtime_checkable
 
 from memorymaze.basics.errors import MemoryMazeError
 from memorymaze.runs.episodes.plan import RunPlan
@@ -87,6 +87,7 @@ class WorkerSource(Protocol):
         ...
 
 
+@runtime_checkable
 class Workforce(Protocol):
     """Where the workers of a run come from."""
 
