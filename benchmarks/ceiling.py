@@ -28,20 +28,14 @@ from benchmarks.plan_walks import estimates, share
 from benchmarks.reading import recorded_plans
 from memorymaze.agents.agent import Journal
 from memorymaze.agents.guide.alignments import AssumedStart, Segment
-from memorymaze.agents.guide.arriving import (
-    BEYOND_SIGN,
-    CLOSE,
-    OPENS,
-    SAME_PLACE,
-    Arrivals,
-    Ending,
-)
+from memorymaze.agents.guide.arriving import SAME_PLACE, Arrivals, Ending
 from memorymaze.agents.guide.belief import Belief
 from memorymaze.agents.guide.likelihoods import Likelihoods
 from memorymaze.agents.guide.search import SHORT_OF_THE_END
 from memorymaze.agents.guide.starts import starts_ahead
 from memorymaze.agents.guide.things import Things
 from memorymaze.agents.plan_readers import GrammarReader
+from memorymaze.agents.walking.approaching import BEYOND_SIGN, CLOSE, OPENS
 from memorymaze.agents.walking.floor_map import (
     Crossing,
     FloorMap,

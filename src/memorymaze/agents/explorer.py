@@ -8,7 +8,6 @@ from itertools import islice
 import numpy as np
 
 from memorymaze.agents.agent import Journal
-from memorymaze.agents.guide.arriving import walk_up_to
 from memorymaze.agents.notes import (
     ArrivalNote,
     DecisionNote,
@@ -16,6 +15,7 @@ from memorymaze.agents.notes import (
     GaveUpNote,
 )
 from memorymaze.agents.plan_readers import ReaderOptions, ReadsFirst
+from memorymaze.agents.walking.approaching import walk_up_to
 from memorymaze.agents.walking.floor_map import Sighting
 from memorymaze.agents.walking.walker import BACK, Walker
 from memorymaze.basics.geometry.pose import wrap_angle

@@ -1,15 +1,11 @@
 """What is said of the last stretch speaks for the right place to end."""
 
-import json
 import math
-from collections.abc import Callable
-from pathlib import Path
 
-import numpy as np
 import pytest
 
 from memorymaze.agents.guide.alignments import AssumedStart, Segment
-from memorymaze.agents.guide.arriving import Arrivals, walk_up_to
+from memorymaze.agents.guide.arriving import Arrivals
 from memorymaze.agents.guide.belief import Belief
 from memorymaze.agents.guide.likelihoods import Likelihoods
 from memorymaze.agents.guide.things import Things
@@ -20,13 +16,7 @@ from memorymaze.agents.walking.floor_map import (
     Sighting,
     Stretch,
 )
-from memorymaze.agents.walking.walker import Walker
-from memorymaze.basics.geometry.pose import Pose
 from memorymaze.language.plans import Arrival, Length, Mention, RoutePlan
-from memorymaze.robot.simulation.robot import SimulatedRobot
-from memorymaze.robot.simulation.scene import build_scene
-from memorymaze.robot.simulation.settings import SimulationSettings
-from memorymaze.world.sites import load_site
 
 EAST, WEST = (12.0, 0.0), (-12.0, 0.0)
 BOTH_WAYS = [AssumedStart(0, 0.0, 0, 0.5), AssumedStart(0, math.pi, 1, 0.5)]
@@ -223,30 +213,3 @@ def test_what_is_called_by_another_word_is_found_by_its_kin() -> None:
 
     assert share("desk") > 0.7
     assert share("piano") == pytest.approx(0.5)
-
-
-def test_a_sign_on_a_wall_leads_to_the_door_beside_it(
-    changed: Callable[..., Path],
-) -> None:
-    sign = {
-        "geometry.coordinates": [9.6, 1.35],
-        "properties.category": "sign",
-        "properties.text": "Library",
-        "properties.heading_deg": 270,
-        "properties.mount": "wall",
-        "properties.size_m": [0.6, 0.1, 0.4],
-    }
-    plan = json.loads(changed("corridor", "bench", sign).read_text("utf-8"))
-    [door] = [each for each in plan["features"] if each["id"] == "door_3"]
-    door["properties"]["label"] = "Library"
-    path = changed("corridor", "-", {"features": plan["features"]})
-    robot = SimulatedRobot(
-        build_scene(load_site(path)),
-        Pose(6.5, 0.0, 0.0),
-        SimulationSettings(),
-        np.random.default_rng(0),
-    )
-    walker = Walker(robot)
-    [seen] = walker.look(["sign that says Library"])
-    walk_up_to(walker, seen)
-    assert math.dist((robot.pose.x, robot.pose.y), (12.0, 1.5)) < 2.0

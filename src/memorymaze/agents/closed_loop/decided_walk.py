@@ -6,7 +6,6 @@ from textwrap import shorten
 from memorymaze.agents.closed_loop.questions import DecisionQuestions
 from memorymaze.agents.closed_loop.replies import WalkDecision, read_answer
 from memorymaze.agents.closed_loop.walk_log import DOOR, way_name
-from memorymaze.agents.guide.arriving import IN_FRONT, is_sign, walk_up_to
 from memorymaze.agents.notes import (
     ArrivalNote,
     DecisionNote,
@@ -14,6 +13,7 @@ from memorymaze.agents.notes import (
     GaveUpNote,
     RepairNote,
 )
+from memorymaze.agents.walking.approaching import IN_FRONT, is_sign, walk_up_to
 from memorymaze.agents.walking.floor_map import Sighting
 from memorymaze.agents.walking.walker import STRIDE, Walker
 

@@ -13,7 +13,7 @@ from memorymaze.agents.guide.alignments import (
     Slip,
     mass_of,
 )
-from memorymaze.agents.guide.arriving import Ending, stand_before, walk_up_to
+from memorymaze.agents.guide.arriving import Ending
 from memorymaze.agents.guide.asking import ANSWER_TRUST, Answer, Inquiry, Situation
 from memorymaze.agents.guide.choosing import Choice
 from memorymaze.agents.guide.likelihoods import Likelihoods
@@ -27,6 +27,7 @@ from memorymaze.agents.notes import (
     GaveUpNote,
     RepairNote,
 )
+from memorymaze.agents.walking.approaching import stand_before, walk_up_to
 from memorymaze.agents.walking.floor_map import Sighting, Stretch
 from memorymaze.agents.walking.outlooks import (
     each_once,
