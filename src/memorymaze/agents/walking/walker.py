@@ -43,6 +43,8 @@ it then."""
 GLANCES = {"left": math.radians(75), "right": math.radians(-75)}
 """How far it turns to look beside a way, radians."""
 
+IDLE, SHORTEST = frozenset({"the", "of", "for", "and", "shop", "room"}), 4
+"""Words of a name that many leave out, and letters to which it is shortened at most."""
 AS_WRITTEN = 0.65
 """Score of a thing of which the words alone were read."""
 
@@ -480,15 +482,29 @@ class Walker:
 
 
 def _is_written(text: str, phrase: str) -> bool:
-    """Tell whether a text says what is looked for, and nothing else.
+    """Tell whether a text says what is looked for, in full or shortened, and nothing else.
 
     >>> _is_written("Toy Plane", "door that says Toy Plane"), _is_written("2103", "room 2103")
     (True, True)
+    >>> _is_written("Physiotherapy", "physio"), _is_written("Bakery", "baker")
+    (True, True)
     """
+    if points_elsewhere(text):
+        return False
     asked = words_of(phrase.rpartition(" that says ")[2])
     numbers = [word for word in asked if any(map(str.isdigit, word))]
-    wanted = {*(numbers or asked)}
-    return bool(wanted) and wanted == {*words_of(text)} and not points_elsewhere(text)
+    if numbers:
+        return {*numbers} == {*words_of(text)}
+    wanted, said = ({*words} - IDLE or {*words} for words in (asked, words_of(text)))
+    pairs = [(one, two) for one in wanted for two in said if _is_short_for(one, two)]
+    found = {one for one, _ in pairs}, {two for _, two in pairs}
+    return bool(wanted) and len(wanted) == len(said) and found == (wanted, said)
+
+
+def _is_short_for(one: str, two: str) -> bool:
+    """Tell whether two words are the same, or one is the beginning of the other."""
+    short, long = sorted((one, two), key=len)
+    return one == two or (len(short) >= SHORTEST and long.startswith(short))
 
 
 def _off(direction: Direction, angle: float) -> float:
