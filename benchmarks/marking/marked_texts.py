@@ -15,6 +15,8 @@ from memorymaze.texts.corpus import load_corpus
 MARKED_TEXTS = Path("examples/marked_texts")
 TIMES = {"shipped": 2, "voices": 2, "from_memory": 3, "sail": 3}
 """How often texts count whose manner few others have, by the file they are in."""
+KEPT_BACK = "not_learned"
+"""The file of texts that readers are judged by, and learn nothing from."""
 SIDES = frozenset({"left", "right"})
 
 
@@ -47,7 +49,7 @@ class MarkedText:
 def load_marked_texts(
     folder: Path = MARKED_TEXTS, sail: Path | None = None
 ) -> list[MarkedText]:
-    """Return all marked texts of a folder; those of SAIL where its folder is given."""
+    """Return all marked texts to learn from; those of SAIL where its folder is given."""
     corpus = {
         each.instruction.id: each.instruction.text for each in load_corpus().episodes
     }
@@ -56,7 +58,7 @@ def load_marked_texts(
         corpus |= {each["id"]: each["text"] for each in map(json.loads, lines)}
     texts: list[MarkedText] = []
     for path in sorted(folder.glob("*.jsonl")):
-        if path.stem == "sail" and sail is None:
+        if path.stem == KEPT_BACK or (path.stem == "sail" and sail is None):
             continue
         for line in path.read_text("utf-8").splitlines():
             record = json.loads(line)
@@ -70,6 +72,14 @@ def load_marked_texts(
             marked = _marked(number, person, text, record["marks"])
             texts += [marked] * TIMES.get(path.stem, 1)
     return texts
+
+
+def load_kept_back(folder: Path = MARKED_TEXTS) -> Iterator[tuple[MarkedText, str]]:
+    """Yield the marked texts that nothing is learned from, and how they are written."""
+    for line in (folder / f"{KEPT_BACK}.jsonl").read_text("utf-8").splitlines():
+        record = json.loads(line)
+        number, text = record["id"], record["text"]
+        yield _marked(number, number, text, record["marks"]), text
 
 
 def _marked(number: str, person: str, text: str, marks: Sequence[Any]) -> MarkedText:

@@ -25,7 +25,9 @@ def _lines(name: str) -> Iterator[dict[str, Any]]:
     return map(json.loads, (MARKED / f"{name}.jsonl").read_text("utf-8").splitlines())
 
 
-@pytest.mark.parametrize("name", ["shipped", "voices", "invented", "from_memory"])
+@pytest.mark.parametrize(
+    "name", ["shipped", "voices", "invented", "from_memory", "not_learned"]
+)
 def test_marks_are_found_in_their_texts_one_after_the_other(name: str) -> None:
     developed = {
         each.instruction.id: each.instruction.text
@@ -52,7 +54,7 @@ def test_marks_of_texts_that_are_not_here_are_numbers_of_words() -> None:
 
 
 @pytest.mark.parametrize(
-    "name", ["shipped", "voices", "invented", "from_memory", "sail"]
+    "name", ["shipped", "voices", "invented", "from_memory", "sail", "not_learned"]
 )
 def test_each_leg_has_one_turn_and_the_destination_comes_after_all(name: str) -> None:
     for line in _lines(name):
