@@ -103,7 +103,7 @@ class Score:
                 for plan in (reference, read)
             ]
             self.parts[part].add(both, *told)
-        names = [_names(plan.arrival) for plan in (reference, read)]
+        names = [names_of(plan.arrival) for plan in (reference, read)]
         self.parts["destination"].add(
             bool(names[0] & names[1]), bool(names[0]), bool(names[1])
         )
@@ -180,7 +180,7 @@ def _shared(one: Counter[Hashable], two: Counter[Hashable]) -> int:
     return (one & two).total()
 
 
-def _names(arrival: Arrival) -> set[str]:
+def names_of(arrival: Arrival) -> set[str]:
     """Return the names of the destination; of a sign or door what it says."""
     told = (place_on_sign(each) or each for each in arrival.destinations)
     return {each.removeprefix("door that says ").casefold() for each in told}

@@ -439,6 +439,7 @@ def any_plans() -> st.SearchStrategy[RoutePlan]:
         st.booleans(),
         doubts,
         doubts,
+        st.lists(doubts, max_size=2).map(tuple),
     )
     return st.builds(
         RoutePlan,

@@ -50,9 +50,10 @@ def test_what_two_readers_make_of_a_text_counts_as_two_tellings_if_it_differs() 
     readers = GrammarReader(), LearnedReader()
     plans = [each.read(text, Journal()) for each in readers]
     assert plans[0] != plans[1]
-    assert BothReader().read_tellings(text, Journal()) == [plans]
+    [both] = BothReader().read_tellings(text, Journal())
+    assert [each.legs for each in both] == [each.legs for each in plans]
     twice = BothReader().read_tellings(text + TOLD_AGAIN + text, Journal())
-    assert twice == [plans, plans]
+    assert twice == [both, both]
     [[nothing]] = BothReader().read_tellings("", Journal())
     assert nothing.legs == ()
 
@@ -72,6 +73,26 @@ def test_a_reader_that_finds_no_destination_takes_the_others() -> None:
     assert LearnedReader().read(text, Journal()).arrival.destinations == ()
     [plans] = BothReader().read_tellings(text, Journal())
     assert {each.arrival.destinations for each in plans} == {("cedar hall",)}
+    assert all(each.arrival.unclear_names[0] > 0.5 for each in plans)
+
+
+def test_a_name_that_both_readers_have_is_hardly_doubted() -> None:
+    text = "Turn left at the kiosk, and the library is on your right."
+    [plans] = BothReader().read_tellings(text, Journal())
+    for plan in plans:
+        assert plan.arrival.destinations == ("library",)
+        assert plan.arrival.unclear_names[0] < 0.2
+
+
+def test_a_word_that_only_sounds_like_a_goal_is_none() -> None:
+    text = (
+        "Right at the desk, then left, the second one. Mind the step, good luck, Carlo."
+    )
+    [plans] = BothReader().read_tellings(text, Journal())
+    assert GrammarReader().read(text, Journal()).arrival.destinations
+    for plan in plans:
+        doubts = plan.arrival.unclear_names
+        assert all(doubt > 0.5 for doubt in doubts)
 
 
 def test_a_reply_that_is_no_plan_is_asked_for_once_more_with_what_is_wrong() -> None:

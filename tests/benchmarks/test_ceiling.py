@@ -76,7 +76,8 @@ def test_plans_that_take_other_turns_are_listed(tiny_corpus: Corpus) -> None:
     plan = RoutePlan(legs=legs, arrival=Arrival(at_end=True))
     right = readings.meaning(episode, plan, Likelihoods())
     assert right.takes_the_turns
-    back = RoutePlan(legs=(Leg(Turn("around"), on_the_spot=True), *plan.legs))
+    legs = (Leg(Turn("around"), on_the_spot=True), *plan.legs)
+    back = RoutePlan(legs=legs, arrival=plan.arrival)
     wrong = readings.meaning(episode, back, Likelihoods())
     assert not wrong.is_goal
     [line] = readings_otherwise([wrong])

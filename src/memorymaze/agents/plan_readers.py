@@ -5,7 +5,7 @@ reply is no plan; or not at all, where the text is a plan already.
 """
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import count
 from typing import Literal
@@ -19,6 +19,7 @@ from memorymaze.agents.agent import (
     tellings_of,
 )
 from memorymaze.agents.asking import ask_until_read, object_in
+from memorymaze.agents.destination_names import likely_names
 from memorymaze.basics.errors import PlanFileError, SettingsError
 from memorymaze.basics.input_files import parse_record
 from memorymaze.language.models.model import (
@@ -31,14 +32,11 @@ from memorymaze.language.models.prompt_texts import load_prompt, prompt_version
 from memorymaze.language.plans import RoutePlan, parse_plan
 from memorymaze.language.plans.grammar import plan_grammar
 from memorymaze.language.reading import parse_route_description
-from memorymaze.language.reading.marking import destination_chance, read_by_marks
+from memorymaze.language.reading.marking import read_by_marks
 
 ReaderName = Literal["both", "grammar", "learned", "model", "plan"]
 """The grammar and the network that was trained, one of them, a language model, or nobody:
 the instruction is the JSON of a plan."""
-
-TAKEN_FOR_ELSE = 0.1
-"""Probability of the destination below which the network takes words for something else."""
 
 
 class PlanReader(ABC):
@@ -117,29 +115,26 @@ class BothReader(GrammarReader):
         """Return what both make of each telling.
 
         It is one plan where they agree, and where one of them finds no turn at all: that
-        one has missed them. Who finds no destination takes the other's, and of the
-        grammar's those are left out that the network takes for something else.
+        one has missed them. Both go to what either takes for the destination, each name
+        with the doubt whether it is.
         """
         tellings: list[list[RoutePlan]] = []
         for telling in tellings_of(instruction):
             parsed, marked = parse_route_description(telling), read_by_marks(telling)
-            names = parsed.arrival.destinations
-            others = marked.arrival.destinations
-            meant = tuple(each for each in names if _may_be_meant(telling, each))
-            names = meant or others or names
-            read = _to(names, parsed), _to(others or names, marked)
+            names = likely_names(telling, parsed, marked)
+            read = _to(names, parsed), _to(names, marked)
             with_turns = [plan for plan in read if plan.legs]
             tellings.append(list(dict.fromkeys(with_turns or read[:1])))
         return tellings
 
 
-def _may_be_meant(text: str, name: str) -> bool:
-    chance = destination_chance(text, name.split()[-1])
-    return chance is None or chance >= TAKEN_FOR_ELSE
-
-
-def _to(destinations: tuple[str, ...], plan: RoutePlan) -> RoutePlan:
-    return replace(plan, arrival=replace(plan.arrival, destinations=destinations))
+def _to(names: Sequence[tuple[str, float]], plan: RoutePlan) -> RoutePlan:
+    arrival = replace(
+        plan.arrival,
+        destinations=tuple(name for name, _ in names),
+        unclear_names=tuple(round(1 - chance, 2) for _, chance in names),
+    )
+    return replace(plan, arrival=arrival)
 
 
 class WrittenPlanReader(PlanReader):

@@ -91,6 +91,16 @@ def test_a_destination_that_was_seen_is_likelier_than_one_that_was_not() -> None
     assert _share_in_the_east(floor, Arrival(("piano",))) > 0.8
 
 
+def test_what_bears_a_doubtful_name_counts_less() -> None:
+    def share(doubt: float) -> float:
+        floor = _floor(frozenset({"piano"}), ("piano", (8.0, 1.0)))
+        told = Arrival(("piano",), unclear_names=(doubt,))
+        return _share_in_the_east(floor, told)
+
+    assert 0.8 < share(0.0)
+    assert share(0.0) > share(0.6) > share(0.9) > share(1.0)
+
+
 def test_where_a_number_is_told_only_that_door_will_do() -> None:
     model = Likelihoods()
     floor = _floor(frozenset())

@@ -27,7 +27,7 @@ def take_walk(walk_with: TakeWalk) -> TakeWalk:
     [
         ("corridor", "Walk to the end of the corridor.", (19.3, 0)),
         ("corridor", "Stop at the bench on your right.", (10, 0)),
-        ("l_shape", "Go to the end and turn left.", (11, 11)),
+        ("l_shape", "At the end turn left and walk to the end.", (11, 11)),
         ("l_shape", "Go left at the corner. Stop before the red vending machine.", (11, 6)),
         ("t_junction", "Turn left at the T junction and go to the end.", (-11, 0)),
         ("t_junction", "Turn right at the end. The lift is at the end.", (11, 0)),
@@ -60,8 +60,17 @@ def test_it_thinks_anew_where_the_last_stretch_gets_longer_than_was_told(
 
 
 def test_opposite_words_lead_to_opposite_ends(take_walk: TakeWalk) -> None:
-    assert take_walk("t_junction", "At the end turn left.").ends_near(-11, 0)
-    assert take_walk("t_junction", "At the end turn right.").ends_near(11, 0)
+    text = "At the end turn {} and go to the end."
+    assert take_walk("t_junction", text.format("left")).ends_near(-11, 0)
+    assert take_walk("t_junction", text.format("right")).ends_near(11, 0)
+
+
+def test_where_nothing_is_told_of_the_place_it_is_some_metres_after_the_last_turn(
+    take_walk: TakeWalk,
+) -> None:
+    x, y = take_walk("t_junction", "At the end turn left.").end
+    assert -8 < x < -3
+    assert abs(y) < 0.5
 
 
 def test_a_corner_that_was_not_told_is_taken_where_there_is_no_choice(

@@ -5,6 +5,7 @@ import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import chain, repeat
 
 import numpy as np
 
@@ -14,6 +15,7 @@ from memorymaze.agents.guide.likelihoods import (
     MOST_SEEN,
     Likelihoods,
     Weights,
+    ends_after,
     junction_ratio,
     length_ratio,
     passings_ratio,
@@ -46,13 +48,18 @@ REACH = 8.0
 """Metres of way on which the destination would count as being there."""
 SAME_PLACE = 3.0
 """Metres; places to arrive at that are nearer to each other are one."""
-
+ANYWHERE = 2.0
+"""Metres between two places at which a way may end where nothing was seen."""
 MOST_WIDER = 4
 """More general words for a destination that are looked for."""
 
 UNIQUE, IN_PART = 0.08, 0.25
 """How often a name told of a destination is met elsewhere, beside other things; and
 something that fits it in part, as a conference room does a board room."""
+COMMON_UNSEEN = 0.4
+"""Weight of a place where a thing of a kind that is everywhere was not seen."""
+LIKELY_MEANT = 0.5
+"""Probability that a name is the destination's from which on one stops at it at once."""
 IN_FULL = 0.95
 """Score from which on something fits a name in full."""
 NTH = 3.0, 0.3, 0.1
@@ -118,14 +125,29 @@ class Arrivals:
         # What has a name of its own tells a place better than what is everywhere.
         names = tuple(sorted(names, key=is_common))
         self._first = tuple(variants(names[0])) if names else ()
-        self.at_once = tuple(each for each in self._first if not is_common(each))
-        """Names at which to stop without having seen what else the way has."""
         told = dict.fromkeys([*self._first, *names])
         self.names = tuple(name for name in told if not is_floor(name))
         """What to look for, the best first."""
         self._name = names[0] if names else ""
         self.kin = tuple(each for each in wider(self._name) if each not in told)
         """More general words, for what is near in meaning: who sees it may call it so."""
+        doubts = chain(plan.arrival.unclear_names, repeat(0.0))
+        self._meant = {
+            name: 1 - doubt
+            for name, doubt in zip(plan.arrival.destinations, doubts, strict=False)
+        }
+        """How likely each name is that of the destination."""
+        self._told = tuple(self._meant)
+        best = next(iter(self._meant.values()), 1.0)
+        of_name = self._meant.get(self._name, best)
+        for name in (*self._first, *self.names, *self.kin):
+            self._meant.setdefault(name, of_name)
+        self.at_once = tuple(
+            each
+            for each in self._first
+            if not is_common(each) and self._meant[each] >= LIKELY_MEANT
+        )
+        """Names at which to stop without having seen what else the way has."""
 
     def endings(self, belief: Belief) -> list[Ending]:
         """Return all places to arrive at."""
@@ -183,6 +205,35 @@ class Arrivals:
                     None,
                     f"{length.metres:.0f} m walked",
                 )
+        if not segment.lost and self._may_be_anywhere:
+            metres = ANYWHERE / 2
+            while metres < stretch.length - 0.5:
+                there = _on_line(start, end, metres)
+                yield Ending(
+                    stretch.start,
+                    stretch.exit,
+                    metres,
+                    there,
+                    self._weigh(visit, metres, there)
+                    * self._unseen
+                    * self._share_about(segment.walked + metres),
+                    segment,
+                    None,
+                    "all turns made",
+                )
+                metres += ANYWHERE
+
+    @property
+    def _may_be_anywhere(self) -> bool:
+        """Whether nothing says how far from the last turn it is, or at what crossing."""
+        arrival = self._arrival
+        at_a_crossing = arrival.at_end or junction_at_the_end(arrival) is not None
+        return arrival.length is None and not (at_a_crossing or self._is_told_apart)
+
+    def _share_about(self, walked: float) -> float:
+        """Return how likely it is about so far from the last turn."""
+        begin, end = walked - ANYWHERE / 2, walked + ANYWHERE / 2
+        return ends_after(self._model, begin) - ends_after(self._model, end)
 
     def _ahead(self, frontier: Frontier) -> Iterator[Ending]:
         """Yield what is in sight along a way that was not walked yet."""
@@ -257,6 +308,12 @@ class Arrivals:
         goes_on = choices.forward is not None
         if arrival.at_end:
             ratio *= 2 * (1 - model.kind_right if goes_on else model.kind_right)
+        elif segment.walked and not segment.lost and self._may_be_anywhere:
+            ratio *= (
+                self._share_about(segment.walked)
+                if goes_on
+                else ends_after(model, segment.walked - ANYWHERE / 2)
+            )
         elif goes_on and arrival.length is None and segment.walked:
             ratio *= model.arrival_open
         junction = junction_at_the_end(arrival)
@@ -315,6 +372,13 @@ class Arrivals:
 
         `since_turn` is the whole way since the last turn, of which that is the end.
         """
+        meant = self._meant[sighting.phrase]
+        return meant * self._as_told(sighting, line, since_turn) + 1 - meant
+
+    def _as_told(
+        self, sighting: Sighting, line: tuple[Point, ...], since_turn: tuple[Point, ...]
+    ) -> float:
+        """Weigh something seen by its name, its side, and which of several it is."""
         arrival, common = self._arrival, is_common(sighting.phrase)
         ratio = self._base(sighting)
         ratio *= self._things.side_ratio(arrival.side, sighting, line)
@@ -398,9 +462,10 @@ class Arrivals:
         """Weigh a place where nothing of the destination was seen."""
         if not self.names:
             return 1.0
-        if all(map(is_common, self.names)):
-            return 0.4
-        return self._model.passed_by
+        common = all(map(is_common, self.names))
+        ratio = COMMON_UNSEEN if common else self._model.passed_by
+        unmeant = math.prod(1 - self._meant[each] for each in self._told)
+        return (1 - unmeant) * ratio + unmeant
 
     def _weigh(self, visit: Visit, further: float, place: Point) -> Weights:
         """Weigh all that was said of the last stretch against one that ends at a place."""

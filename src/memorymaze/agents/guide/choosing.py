@@ -158,7 +158,7 @@ class Choice:
         one, the way told is the way to it.
         """
         back, limit = 0.0, self._limit * PATIENCE
-        if ending is not None and self.chance(ending) >= self.patience.claims:
+        if ending is not None and self.claims(ending):
             back = self._distances.get(ending.at, math.inf) + ending.distance
             begun = self._tellings.all[0].starts[0].at
             way = self._walker.map.distances_from(begun).get(ending.at)

@@ -117,6 +117,8 @@ which the lengths said are too long, and whether the things said are mostly ther
 
 WAY_METRES = 12.0
 """Length of the ways between two turns, in the middle."""
+LAST_METRES = 6.0
+"""Length of the way from the last turn to the destination, in the middle."""
 UNTOLD_METRES = 30.0
 """From here on a way gets the rarer the longer it is, if no length of it was said."""
 OF_A_BOUND = 0.6
@@ -204,6 +206,17 @@ def untold_length(model: Likelihoods, walked: float) -> float:
     if walked <= UNTOLD_METRES:
         return 1.0
     return 2 * _beyond(math.log(walked / UNTOLD_METRES) / model.way_log_sd)
+
+
+@lru_cache(maxsize=4096)
+def ends_after(model: Likelihoods, walked: float) -> float:
+    """Return how likely the destination is farther than this from the last turn.
+
+    It is so where no length was said of the way there.
+    """
+    if walked <= 0:
+        return 1.0
+    return _beyond(math.log(walked / LAST_METRES) / model.way_log_sd)
 
 
 @lru_cache(maxsize=4096)

@@ -200,6 +200,8 @@ class Arrival:
     """True when nothing is walked after the last turn."""
     doubt: Doubt = 0.0
     unclear: Doubt = 0.0
+    unclear_names: tuple[Doubt, ...] = ()
+    """The reader's doubt of each destination, in their order; none of those without."""
 
 
 @dataclass(frozen=True, slots=True)
