@@ -97,8 +97,20 @@ def test_what_bears_a_doubtful_name_counts_less() -> None:
         told = Arrival(("piano",), unclear_names=(doubt,))
         return _share_in_the_east(floor, told)
 
-    assert 0.8 < share(0.0)
+    assert share(0.0) > 0.8
     assert share(0.0) > share(0.6) > share(0.9) > share(1.0)
+
+
+@pytest.mark.parametrize(("doubts", "expected"), [((0.1,), True), ((0.8,), False)])
+def test_a_destination_by_a_doubtful_name_alone_has_none(
+    doubts: tuple[float, ...], expected: bool
+) -> None:
+    plan = RoutePlan(arrival=Arrival(("piano",), unclear_names=doubts))
+    floor, model = _floor(frozenset()), Likelihoods()
+    arrivals = Arrivals(plan, floor, model, Things(plan, floor, model))
+    assert arrivals.has_name == expected
+    assert arrivals.at_once == (("piano",) if expected else ())
+    assert arrivals.names == ("piano",)
 
 
 def test_where_a_number_is_told_only_that_door_will_do() -> None:

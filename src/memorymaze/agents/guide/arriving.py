@@ -148,6 +148,9 @@ class Arrivals:
             if not is_common(each) and self._meant[each] >= LIKELY_MEANT
         )
         """Names at which to stop without having seen what else the way has."""
+        likeliest = max(self._meant.values(), default=0.0)
+        self.has_name = likeliest >= LIKELY_MEANT
+        """Whether a name is told that is likely the destination's."""
 
     def endings(self, belief: Belief) -> list[Ending]:
         """Return all places to arrive at."""

@@ -43,6 +43,8 @@ class Patience:
     """Probability of a place from which on it goes there while other ways are open."""
     unseen: float = 0.7
     """The same of a place where nothing was seen of a destination told by a name."""
+    unnamed: float = 0.25
+    """The same where no name is likely: no other way will show anything of it."""
     hope: float = 0.05
     """Probability of a way below which it is not worth walking any more."""
     hopeless: float = 0.02
@@ -101,9 +103,11 @@ class Choice:
     def _is_enough(self, ending: Ending, frontier: Frontier) -> bool:
         """Tell whether what going on may still show is worth less than stopping."""
         chance = self.chance(ending)
-        enough = (
-            self.patience.unseen if self._misses_name(ending) else self.patience.stops
-        )
+        enough = self.patience.stops
+        if self._misses_name(ending):
+            enough = self.patience.unseen
+        elif ending.sighting is None and not self._tellings.has_name:
+            enough = self.patience.unnamed
         if (
             chance < enough
             and frontier.mass >= self.patience.hope * self._tellings.total

@@ -172,6 +172,11 @@ class Tellings:
         """Names at which to stop without having seen what else the way has."""
         return each_once(each.arrivals.at_once for each in self.all)
 
+    @property
+    def has_name(self) -> bool:
+        """Whether a name is told that is likely the destination's."""
+        return any(each.arrivals.has_name for each in self.all)
+
     def refute(self, sighting: Sighting) -> None:
         """Take note that something seen was found not to be the destination."""
         for telling in self.all:
