@@ -193,38 +193,34 @@ class Arrivals:
                 sighting,
                 f"{sighting.phrase} seen",
             )
-        length = self._arrival.length
-        if length is not None and length.unit != "places" and not segment.lost:
-            rest = length.metres - segment.walked
-            if 0.5 < rest < stretch.length - 0.5:
-                there = _on_line(start, end, rest)
-                yield Ending(
-                    stretch.start,
-                    stretch.exit,
-                    rest,
-                    there,
-                    self._weigh(visit, rest, there) * self._unseen,
-                    segment,
-                    None,
-                    f"{length.metres:.0f} m walked",
-                )
-        if not segment.lost and self._may_be_anywhere:
-            metres = ANYWHERE / 2
-            while metres < stretch.length - 0.5:
+        for metres, share, reason in self._where_unseen(segment, stretch.length):
+            if 0.5 < metres < stretch.length - 0.5:
                 there = _on_line(start, end, metres)
                 yield Ending(
                     stretch.start,
                     stretch.exit,
                     metres,
                     there,
-                    self._weigh(visit, metres, there)
-                    * self._unseen
-                    * self._share_about(segment.walked + metres),
+                    self._weigh(visit, metres, there) * self._unseen * share,
                     segment,
                     None,
-                    "all turns made",
+                    reason,
                 )
-                metres += ANYWHERE
+
+    def _where_unseen(
+        self, segment: Segment, length: float
+    ) -> Iterator[tuple[float, float, str]]:
+        """Yield how far along a stretch it may be unseen, how likely, and why there."""
+        told = self._arrival.length
+        if segment.lost:
+            return
+        if told is not None and told.unit != "places":
+            yield told.metres - segment.walked, 1.0, f"{told.metres:.0f} m walked"
+        if self._may_be_anywhere:
+            for number in range(math.ceil(length / ANYWHERE)):
+                metres = (number + 0.5) * ANYWHERE
+                share = self._share_about(segment.walked + metres)
+                yield metres, share, "all turns made"
 
     @property
     def _may_be_anywhere(self) -> bool:
