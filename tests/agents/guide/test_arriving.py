@@ -108,7 +108,7 @@ def test_a_destination_by_a_doubtful_name_alone_has_none(
     plan = RoutePlan(arrival=Arrival(("piano",), unclear_names=doubts))
     floor, model = _floor(frozenset()), Likelihoods()
     arrivals = Arrivals(plan, floor, model, Things(plan, floor, model))
-    assert arrivals.has_name == expected
+    assert arrivals.is_told == expected
     assert arrivals.at_once == (("piano",) if expected else ())
     assert arrivals.names == ("piano",)
 

@@ -149,8 +149,11 @@ class Arrivals:
         )
         """Names at which to stop without having seen what else the way has."""
         likeliest = max(self._meant.values(), default=0.0)
-        self.has_name = likeliest >= LIKELY_MEANT
-        """Whether a name is told that is likely the destination's."""
+        self.is_told = (
+            likeliest >= LIKELY_MEANT or bool(plan.arrival.mentions)
+        ) or not self._may_be_anywhere
+        """Whether anything is told by which one knows the place: a likely name, a thing, or
+        how far it is."""
 
     def endings(self, belief: Belief) -> list[Ending]:
         """Return all places to arrive at."""

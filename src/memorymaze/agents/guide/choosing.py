@@ -43,8 +43,8 @@ class Patience:
     """Probability of a place from which on it goes there while other ways are open."""
     unseen: float = 0.7
     """The same of a place where nothing was seen of a destination told by a name."""
-    unnamed: float = 0.25
-    """The same where no name is likely: no other way will show anything of it."""
+    untold: float = 0.25
+    """The same where nothing is told of the place, so that no other way will show it."""
     hope: float = 0.05
     """Probability of a way below which it is not worth walking any more."""
     hopeless: float = 0.02
@@ -106,8 +106,8 @@ class Choice:
         enough = self.patience.stops
         if self._misses_name(ending):
             enough = self.patience.unseen
-        elif ending.sighting is None and not self._tellings.has_name:
-            enough = self.patience.unnamed
+        elif ending.sighting is None and not self._tellings.is_told:
+            enough = self.patience.untold
         if (
             chance < enough
             and frontier.mass >= self.patience.hope * self._tellings.total

@@ -173,9 +173,9 @@ class Tellings:
         return each_once(each.arrivals.at_once for each in self.all)
 
     @property
-    def has_name(self) -> bool:
-        """Whether a name is told that is likely the destination's."""
-        return any(each.arrivals.has_name for each in self.all)
+    def is_told(self) -> bool:
+        """Whether anything is told by which one knows the place."""
+        return any(each.arrivals.is_told for each in self.all)
 
     def refute(self, sighting: Sighting) -> None:
         """Take note that something seen was found not to be the destination."""
