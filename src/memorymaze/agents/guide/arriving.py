@@ -229,6 +229,8 @@ class Arrivals:
     def _may_be_anywhere(self) -> bool:
         """Whether nothing says how far from the last turn it is, or at what crossing."""
         arrival = self._arrival
+        if arrival.nth is not None:
+            return False
         at_a_crossing = arrival.at_end or junction_at_the_end(arrival) is not None
         return arrival.length is None and not (at_a_crossing or self._is_told_apart)
 
