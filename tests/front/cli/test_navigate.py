@@ -126,7 +126,14 @@ def test_the_folder_made_by_default_lies_in_runs_whatever_a_plan_is_called(
 def walk(tiny_sites_folder: Path, tmp_path: Path) -> list[str | Path]:
     """Arguments of a walk on the T."""
     plan = tiny_sites_folder / "t_junction.geojson"
-    return ["navigate", plan, "R1", "Turn left at the T and go to the end.", "--out", tmp_path]
+    return [
+        "navigate",
+        plan,
+        "R1",
+        "Turn left at the T and go to the end.",
+        "--out",
+        tmp_path,
+    ]
 
 
 def test_the_calls_are_told_as_lines_while_it_drives(
