@@ -137,7 +137,8 @@ class Arrivals:
             for name, doubt in zip(plan.arrival.destinations, doubts, strict=False)
         }
         """How likely each name is that of the destination."""
-        self._told = tuple(self._meant)
+        self._unmeant = math.prod(1 - each for each in self._meant.values())
+        """How likely none of the names told is."""
         best = next(iter(self._meant.values()), 1.0)
         of_name = self._meant.get(self._name, best)
         for name in (*self._first, *self.names, *self.kin):
@@ -150,8 +151,10 @@ class Arrivals:
         """Names at which to stop without having seen what else the way has."""
         likeliest = max(self._meant.values(), default=0.0)
         self.is_told = (
-            likeliest >= LIKELY_MEANT or bool(plan.arrival.mentions)
-        ) or not self._may_be_anywhere
+            likeliest >= LIKELY_MEANT
+            or bool(plan.arrival.mentions)
+            or not self._may_be_anywhere
+        )
         """Whether anything is told by which one knows the place: a likely name, a thing, or
         how far it is."""
 
@@ -225,7 +228,7 @@ class Arrivals:
                 share = self._share_about(segment.walked + metres)
                 yield metres, share, "all turns made"
 
-    @property
+    @cached_property
     def _may_be_anywhere(self) -> bool:
         """Whether nothing says how far from the last turn it is, or at what crossing."""
         arrival = self._arrival
@@ -461,15 +464,14 @@ class Arrivals:
         """A sign that says `Library` is not the library."""
         return is_sign(sighting.label) and place_on_sign(sighting.phrase) is None
 
-    @property
+    @cached_property
     def _unseen(self) -> float:
         """Weigh a place where nothing of the destination was seen."""
         if not self.names:
             return 1.0
         common = all(map(is_common, self.names))
         ratio = COMMON_UNSEEN if common else self._model.passed_by
-        unmeant = math.prod(1 - self._meant[each] for each in self._told)
-        return (1 - unmeant) * ratio + unmeant
+        return (1 - self._unmeant) * ratio + self._unmeant
 
     def _weigh(self, visit: Visit, further: float, place: Point) -> Weights:
         """Weigh all that was said of the last stretch against one that ends at a place."""
