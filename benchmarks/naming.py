@@ -10,15 +10,13 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from benchmarks.marking.marked_texts import MarkedText, load_kept_back, marks_of
+from benchmarks.marking.marked_texts import load_kept_back, plan_as_marked
 from benchmarks.reading import names_of
 from memorymaze.agents.destination_names import what_tells
 from memorymaze.basics.tables import Column, Table
-from memorymaze.language.plans import Arrival, RoutePlan
+from memorymaze.language.plans import Arrival
 from memorymaze.language.reading import parse_route_description
 from memorymaze.language.reading.marking import read_by_marks
-from memorymaze.language.reading.marking.marks import Mark
-from memorymaze.language.reading.marking.plans import plan_of_marks
 from memorymaze.language.reading.marking.word_pieces import words_in
 
 RIDGE = 1.0
@@ -36,7 +34,7 @@ def main() -> None:
     writers: list[str] = []
     texts: list[int] = []
     for number, (marked, text) in enumerate(load_kept_back()):
-        meant = names_of(_as_marked(marked, text).arrival)
+        meant = names_of(plan_as_marked(text, words_in(text), marked.words).arrival)
         parsed, marks = parse_route_description(text), read_by_marks(text)
         names = dict.fromkeys((
             *marks.arrival.destinations,
@@ -61,22 +59,6 @@ def main() -> None:
     print(f"of {len(best)} texts of which a name is read; the network's first, or else")
     print(f"the grammar's, in {sum(is_right[each[0]] for each in best)}")
     print(_table(chances, is_right).text())
-
-
-def _as_marked(marked: MarkedText, text: str) -> RoutePlan:
-    """Return the plan of a text by the marks that were made by hand."""
-    words = words_in(text)
-    marks = [
-        Mark(
-            words[start].start,
-            words[end - 1].end,
-            marked.words[start].label,
-            marked.words[start].leg,
-            1.0,
-        )
-        for start, end in marks_of(marked.words)
-    ]
-    return plan_of_marks(text, marks)
 
 
 def _fit(rows: Values, right: NDArray[np.bool_]) -> Values:

@@ -8,7 +8,9 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from memorymaze.language.reading.marking.marks import OF_NO_LEG, ends_leg
+from memorymaze.language.plans import RoutePlan
+from memorymaze.language.reading.marking.marks import OF_NO_LEG, Mark, ends_leg
+from memorymaze.language.reading.marking.plans import plan_of_marks
 from memorymaze.language.reading.marking.word_pieces import Word, words_in
 from memorymaze.texts.corpus import load_corpus
 
@@ -128,6 +130,23 @@ def marks_of(words: Sequence[MarkedWord]) -> Iterator[tuple[int, int]]:
                 end += 1
             yield start, end
         start = end
+
+
+def plan_as_marked(
+    text: str, words: Sequence[Word], marked: Sequence[MarkedWord]
+) -> RoutePlan:
+    """Return the plan that a text has by its marks, taken for certain."""
+    marks = [
+        Mark(
+            words[start].start,
+            words[end - 1].end,
+            marked[start].label,
+            marked[start].leg,
+            1.0,
+        )
+        for start, end in marks_of(marked)
+    ]
+    return plan_of_marks(text, marks)
 
 
 def _only_sides(words: Sequence[MarkedWord]) -> list[MarkedWord]:

@@ -7,14 +7,12 @@ import pytest
 from benchmarks.marking.marked_texts import (
     MarkedText,
     load_marked_texts,
-    marks_of,
+    plan_as_marked,
     ways_of,
 )
 from benchmarks.marking.recombining import Recombiner, legs_of, mirrored
 
 from memorymaze.language.plans import RoutePlan
-from memorymaze.language.reading.marking.marks import Mark
-from memorymaze.language.reading.marking.plans import plan_of_marks
 from memorymaze.language.reading.marking.word_pieces import Word
 
 SHIPPED = Path(__file__).parents[2] / "examples" / "marked_texts"
@@ -35,13 +33,7 @@ def _plan(words) -> RoutePlan:  # type: ignore[no-untyped-def]
     for each in words:
         at.append(Word(each.text, len(text), len(text) + len(each.text)))
         text += each.text + " "
-    return plan_of_marks(
-        text,
-        [
-            Mark(at[a].start, at[b - 1].end, words[a].label, words[a].leg, 1.0)
-            for a, b in marks_of(words)
-        ],
-    )
+    return plan_as_marked(text, at, words)
 
 
 def test_marks_by_numbers_of_words_are_found_in_sails_texts(tmp_path: Path) -> None:
