@@ -3,6 +3,7 @@ import subprocess
 import sys
 
 import pytest
+from shapely import Polygon
 
 from memorymaze.basics.errors import SettingsError
 from memorymaze.world.construction import BUILDING_KINDS, make_building
@@ -37,6 +38,12 @@ def test_the_same_seed_gives_the_same_bytes_in_another_process(made_building):
 def test_another_seed_gives_another_building(made_building):
     one, other = made_building("hospital"), make_building("hospital", 1)
     assert one.corridors[0].polygon != other.corridors[0].polygon
+
+
+def test_specks_at_slanted_seams_are_no_holes_in_the_floor():
+    floor = make_building("office", 7_300_001).walkable_floor
+    assert floor.is_valid
+    assert all(Polygon(hole).area > 0.1 for hole in floor.interiors)
 
 
 def test_an_unknown_kind_is_told_with_those_there_are():

@@ -338,9 +338,19 @@ def floor_pieces(parts: Sequence[Polygon]) -> list[Polygon]:
     Gaps and slivers up to 2 mm wide and kinks below 5 mm are smoothed away.
     """
     grown = union_all([part.buffer(SEAM_GAP, join_style="mitre") for part in parts])
-    floor = grown.buffer(-SEAM_GAP, join_style="mitre").simplify(SEAM_KINK)
-    pieces = [piece for piece in getattr(floor, "geoms", [floor]) if not piece.is_empty]
-    return sorted(pieces, key=lambda piece: piece.area, reverse=True)
+    floor = grown.buffer(-SEAM_GAP, join_style="mitre")
+    pieces = [
+        _without_specks(piece).simplify(SEAM_KINK)
+        for piece in getattr(floor, "geoms", [floor])
+    ]
+    there = [piece for piece in pieces if not piece.is_empty]
+    return sorted(there, key=lambda piece: piece.area, reverse=True)
+
+
+def _without_specks(piece: Polygon) -> Polygon:
+    """Fill holes of a kink's size, which may lie outside once kinks are smoothed."""
+    holes = [hole for hole in piece.interiors if Polygon(hole).area > SEAM_KINK**2]
+    return Polygon(piece.exterior, holes)
 
 
 def union_of_floor(parts: Sequence[Polygon]) -> Polygon:
