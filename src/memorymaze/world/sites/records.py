@@ -340,7 +340,7 @@ def floor_pieces(parts: Sequence[Polygon]) -> list[Polygon]:
     grown = union_all([part.buffer(SEAM_GAP, join_style="mitre") for part in parts])
     floor = grown.buffer(-SEAM_GAP, join_style="mitre")
     pieces = [
-        _without_specks(piece).simplify(SEAM_KINK)
+        cast(Polygon, _without_specks(piece).simplify(SEAM_KINK))
         for piece in getattr(floor, "geoms", [floor])
     ]
     there = [piece for piece in pieces if not piece.is_empty]
