@@ -91,6 +91,29 @@ def test_a_destination_that_was_seen_is_likelier_than_one_that_was_not() -> None
     assert _share_in_the_east(floor, Arrival(("piano",))) > 0.8
 
 
+@pytest.mark.parametrize(
+    ("told", "written", "is_it"),
+    [
+        ("movies", "Cinema", True),
+        ("food", "Restaurant", True),
+        ("chemistry", "Chemistry Lab", True),
+        ("movies", "Chapel", False),
+        ("movies", "Cinema →", False),
+        ("statue", "Sculpture Hall", False),
+    ],
+)
+def test_a_sign_may_name_what_one_wants_there_in_other_words(
+    told: str, written: str, is_it: bool
+) -> None:
+    floor = _floor(frozenset({told}))
+    place, here = (8.0, 1.0), (7.0, 0.0)
+    floor.note_text(
+        Sighting(written, written, 1.0, place, here, 1.5, 7, (0, 0), "left")
+    )
+    share = _share_in_the_east(floor, Arrival((told,)))
+    assert share > 0.6 if is_it else share == pytest.approx(0.5)
+
+
 def test_what_bears_a_doubtful_name_counts_less() -> None:
     def share(doubt: float) -> float:
         floor = _floor(frozenset({"piano"}), ("piano", (8.0, 1.0)))

@@ -24,6 +24,7 @@ from memorymaze.agents.guide.likelihoods import (
     untold_length,
 )
 from memorymaze.agents.guide.said_of_legs import counted_since, rest_to_come
+from memorymaze.agents.guide.signs import named_by_use
 from memorymaze.agents.guide.things import Things, passed_after
 from memorymaze.agents.walking.approaching import DOOR, is_sign
 from memorymaze.agents.walking.choices import choices_at
@@ -66,6 +67,9 @@ NTH = 3.0, 0.3, 0.1
 """Weights of what is counted rightly, one off, and more."""
 BACK_AT_START = 0.05
 """Weight of a place where one has set off from: nobody is told the way to there."""
+
+BY_USE = 0.4
+"""Score of a sign whose words are like what is told in meaning."""
 
 _ROOMS = frozenset({"room", "office", "classroom"})
 """Of a room without a name a camera sees the door."""
@@ -451,6 +455,12 @@ class Arrivals:
     def _sightings(self) -> Iterator[Sighting]:
         for phrase in (*self.names, *self.kin):
             yield from filter(self._may_be_it, self._floor.seen(phrase))
+        for text, name in named_by_use(self.names, self._floor.texts):
+            phrase = f"sign that says {text.phrase}"
+            if phrase not in self.names:
+                self._meant.setdefault(phrase, self._meant[name])
+                sign = replace(text, phrase=phrase, label="sign", score=BY_USE)
+                yield from filter(self._may_be_it, (replace(sign, track=-text.track),))
 
     def _may_be_it(self, sighting: Sighting) -> bool:
         if sighting.track in self.refuted:

@@ -1,8 +1,9 @@
-"""Signs that point the way: which way out of a crossing they name the destination for."""
+"""Signs that point the way to the destination, or name in other words what one wants there."""
 
 import math
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from functools import lru_cache
 
 from memorymaze.agents.walking.floor_map import (
     Crossing,
@@ -10,9 +11,14 @@ from memorymaze.agents.walking.floor_map import (
     Sighting,
     along_and_aside,
 )
+from memorymaze.agents.walking.walker import IDLE
 from memorymaze.basics.geometry.pose import wrap_angle
 from memorymaze.basics.signposts import ANY_ARROW, signposts
+from memorymaze.language.nouns import kind_distance, singular
 from memorymaze.language.reading import is_common, place_on_sign
+from memorymaze.language.reading.marking import likeness
+from memorymaze.robot.perception.matching import points_elsewhere
+from memorymaze.robot.perception.noun_phrase import words_of
 
 AHEAD_OF_SIGN = 9.0
 """Metres from a sign to the crossing that it is about, at most."""
@@ -37,6 +43,9 @@ SEVERAL = frozenset([
     "women",
 ])
 """What a floor has several of: signs point to the nearest, whichever is meant."""
+ALIKE = 0.3
+"""Likeness of a name told and of one that is written from which on they may be one: 0.03 of
+the other names in a building are so like, and two thirds of the right ones."""
 _ANGLES = {"left": 90, "right": -90, "ahead": 0, "back": 180}
 _BETWEEN = re.compile(rf"({ANY_ARROW.pattern})(?!.*\s\s)[^←↑→↓]+({ANY_ARROW.pattern})")
 _RANGE = re.compile(r"(\d+)\s*(?:-|\u2013|to)\s*(\d+)")
@@ -116,3 +125,44 @@ def _crossing_of(text: Sighting, heading: float, floor: FloorMap) -> Crossing | 
         if len(crossing.exits) > 1 and abs(ahead) + beside < least:
             best, least = crossing, abs(ahead) + beside
     return best
+
+
+def named_by_use(
+    names: Iterable[str], texts: Iterable[Sighting]
+) -> Iterator[tuple[Sighting, str]]:
+    """Yield texts like what one wants there, with the name told: Cinema for movies.
+
+    Names of things and rooms are left out: who knows them tells them.
+    """
+    uses = [each for each in names if not _names_thing(each)]
+    for text in texts:
+        nearest = max(uses, key=lambda each: _likeness(text.phrase, each), default=None)
+        if nearest is not None and _likeness(text.phrase, nearest) >= ALIKE:
+            yield text, nearest
+
+
+@lru_cache(maxsize=20_000)
+def _names_thing(name: str) -> bool:
+    """Tell whether a name is one of a thing or a room, not of what one does there.
+
+    >>> _names_thing("statue"), _names_thing("food"), _names_thing("movies")
+    (True, False, False)
+    """
+    return kind_distance("artifact", singular(name.split()[-1].casefold())) is not None
+
+
+@lru_cache(maxsize=20_000)
+def _likeness(text: str, name: str) -> float:
+    """Return how like in meaning a text on a wall is to a name; no number is like another.
+
+    >>> _likeness("Restaurant", "food") > ALIKE > _likeness("Bakery", "movies")
+    True
+    """
+    told = place_on_sign(name) or name
+    if points_elsewhere(text) or is_common(name) or re.search(r"\d", text + told):
+        return 0.0
+    said, asked = (
+        " ".join(word for word in words_of(each) if word not in IDLE)
+        for each in (text, told)
+    )
+    return likeness(asked, said)

@@ -8,6 +8,7 @@ from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from memorymaze.language.nouns import singular
 from memorymaze.language.plans import RoutePlan
@@ -17,7 +18,7 @@ from memorymaze.language.reading.marking.plans import plan_of_marks
 from memorymaze.language.reading.marking.word_pieces import Word, words_in
 from memorymaze.language.reading.spelling import spelt
 
-__all__ = ["destination_chance", "read_by_marks"]
+__all__ = ["destination_chance", "likeness", "read_by_marks"]
 
 WEIGHTS = Path(__file__).with_name("data") / "marker.npz"
 
@@ -45,6 +46,36 @@ def destination_chance(text: str, word: str) -> float | None:
     begun = 1 + 2 * network.kinds.index("dest")
     chances = np.exp(judged.labels[said, begun : begun + 2]).sum(axis=1)
     return float(chances.max())
+
+
+@lru_cache(maxsize=4096)
+def likeness(one: str, other: str) -> float:
+    """Return how alike in meaning two names are: the cosine of the means of their words.
+
+    Words are those of MiniLM (Wang et al. 2020), which training leaves as they are.
+
+    >>> likeness("movies", "Cinema") > 0.5 > 0.3 > likeness("movies", "Chapel")
+    True
+    """
+    first, second = _meaning(one), _meaning(other)
+    long = float(np.linalg.norm(first) * np.linalg.norm(second))
+    return float(first @ second) / long if long else 0.0
+
+
+@lru_cache(maxsize=4096)
+def _meaning(name: str) -> NDArray[np.float32]:
+    network, _ = _trained()
+    words = network.weights["words"]
+    pieces = [
+        piece for word in words_in(name) for piece in network.pieces.of(word.text)
+    ]
+    return (words[pieces] - _mean_word()).sum(axis=0)
+
+
+@lru_cache(maxsize=1)
+def _mean_word() -> NDArray[np.float32]:
+    network, _ = _trained()
+    return network.weights["words"].mean(axis=0)
 
 
 @lru_cache(maxsize=4)
