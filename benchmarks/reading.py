@@ -22,6 +22,7 @@ from tempfile import TemporaryDirectory
 
 from benchmarks.made_walks import floor_seeds, made_floors
 from memorymaze.agents.plan_readers import read_plan_reply
+from memorymaze.agents.reader_doubts import aligned_turns
 from memorymaze.basics.errors import SitePlanError
 from memorymaze.basics.tables import Column, Table
 from memorymaze.language.plans import Arrival, Leg, RoutePlan
@@ -127,29 +128,6 @@ class Score:
             for plan in (reference, read)
         ]
         self.parts[part].add(both, *told)
-
-
-def aligned_turns(reference: RoutePlan, read: RoutePlan) -> list[tuple[int, int]]:
-    """Return which legs correspond: a longest common sequence of turns to one side."""
-    one = [leg.turn.way for leg in reference.legs]
-    two = [leg.turn.way for leg in read.legs]
-    longest = [[0] * (len(two) + 1) for _ in range(len(one) + 1)]
-    for i in reversed(range(len(one))):
-        for j in reversed(range(len(two))):
-            skipped = max(longest[i + 1][j], longest[i][j + 1])
-            taken = longest[i + 1][j + 1] + 1 if one[i] == two[j] else 0
-            longest[i][j] = max(skipped, taken)
-    pairs: list[tuple[int, int]] = []
-    i = j = 0
-    while i < len(one) and j < len(two):
-        if one[i] == two[j] and longest[i][j] == longest[i + 1][j + 1] + 1:
-            pairs.append((i, j))
-            i, j = i + 1, j + 1
-        elif longest[i + 1][j] >= longest[i][j + 1]:
-            i += 1
-        else:
-            j += 1
-    return pairs
 
 
 def _ordinal(part: Leg | Arrival) -> float | None:

@@ -14,6 +14,7 @@ from memorymaze.agents.plan_readers import (
     WrittenPlanReader,
     read_plan_reply,
 )
+from memorymaze.agents.reader_doubts import aligned_turns, with_doubted_turns
 from memorymaze.basics.errors import LanguageModelError, PlanFileError
 from memorymaze.front.cli.main import run_command_line
 from memorymaze.front.library.walks import follow
@@ -51,7 +52,10 @@ def test_what_two_readers_make_of_a_text_counts_as_two_tellings_if_it_differs() 
     plans = [each.read(text, Journal()) for each in readers]
     assert plans[0] != plans[1]
     [both] = BothReader().read_tellings(text, Journal())
-    assert [each.legs for each in both] == [each.legs for each in plans]
+    turns = [
+        [[leg.turn for leg in plan.legs] for plan in each] for each in (both, plans)
+    ]
+    assert turns[0] == turns[1]
     twice = BothReader().read_tellings(text + TOLD_AGAIN + text, Journal())
     assert twice == [both, both]
     [[nothing]] = BothReader().read_tellings("", Journal())
@@ -93,6 +97,38 @@ def test_a_word_that_only_sounds_like_a_goal_is_none() -> None:
     for plan in plans:
         doubts = plan.arrival.unclear_names
         assert all(doubt > 0.5 for doubt in doubts)
+
+
+def test_a_turn_that_both_readers_have_is_hardly_doubted() -> None:
+    text = (
+        "Turn left at the kiosk, then right at the lift. The library is on your right."
+    )
+    [plans] = BothReader().read_tellings(text, Journal())
+    assert all(leg.unclear < 0.02 for plan in plans for leg in plan.legs)
+
+
+def test_a_turn_is_doubted_more_where_the_other_reader_has_others() -> None:
+    told = RoutePlan(legs=(Leg(Turn("left")), Leg(Turn("right"))))
+    sure = RoutePlan(
+        legs=(Leg(Turn("left"), unclear=0.01), Leg(Turn("right"), unclear=0.3))
+    )
+    more = RoutePlan(legs=(*told.legs, Leg(Turn("right"))))
+    (left, right), (first, second) = (
+        [leg.unclear for leg in each.legs] for each in with_doubted_turns(told, sure)
+    )
+    assert left == first < second == right
+    parsed, marked = with_doubted_turns(more, sure)
+    assert first < marked.legs[0].unclear < parsed.legs[2].unclear < 0.5
+
+
+def test_turns_of_two_plans_correspond_in_their_order() -> None:
+    one, two = (
+        RoutePlan(legs=tuple(Leg(Turn(way)) for way in ways))
+        for ways in (("left", "right", "left"), ("left", "left"))
+    )
+    assert aligned_turns(one, two) == [(0, 0), (2, 1)]
+    assert aligned_turns(two, one) == [(0, 0), (1, 2)]
+    assert aligned_turns(RoutePlan(), two) == []
 
 
 def test_a_reply_that_is_no_plan_is_asked_for_once_more_with_what_is_wrong() -> None:

@@ -2,7 +2,6 @@ from pathlib import Path
 
 from benchmarks.reading import (
     Score,
-    aligned_turns,
     legs_as_told,
     made_table,
     recorded_plans,
@@ -32,13 +31,6 @@ def test_a_plan_agrees_with_itself_in_every_part() -> None:
     for plan in recorded_plans("plans_second_reading").values():
         score.add(plan, plan)
     assert {part.f1 for part in score.parts.values()} == {1.0}
-
-
-def test_turns_correspond_in_their_order() -> None:
-    read = RoutePlan(legs=(Leg(Turn("left")), Leg(Turn("left"))))
-    assert aligned_turns(TOLD, read) == [(0, 0), (2, 1)]
-    assert aligned_turns(read, TOLD) == [(0, 0), (1, 2)]
-    assert aligned_turns(RoutePlan(), TOLD) == []
 
 
 def test_a_lost_turn_costs_order_and_recall_and_no_other_part() -> None:

@@ -19,7 +19,7 @@ from memorymaze.agents.agent import (
     tellings_of,
 )
 from memorymaze.agents.asking import ask_until_read, object_in
-from memorymaze.agents.destination_names import likely_names
+from memorymaze.agents.reader_doubts import likely_names, with_doubted_turns
 from memorymaze.basics.errors import PlanFileError, SettingsError
 from memorymaze.basics.input_files import parse_record
 from memorymaze.language.models.model import (
@@ -116,13 +116,13 @@ class BothReader(GrammarReader):
 
         It is one plan where they agree, and where one of them finds no turn at all: that
         one has missed them. Both go to what either takes for the destination, each name
-        with the doubt whether it is.
+        with the doubt whether it is, and doubt each turn whether it is one.
         """
         tellings: list[list[RoutePlan]] = []
         for telling in tellings_of(instruction):
             parsed, marked = parse_route_description(telling), read_by_marks(telling)
             names = likely_names(telling, parsed, marked)
-            read = _to(names, parsed), _to(names, marked)
+            read = [_to(names, each) for each in with_doubted_turns(parsed, marked)]
             with_turns = [plan for plan in read if plan.legs]
             tellings.append(list(dict.fromkeys(with_turns or read[:1])))
         return tellings

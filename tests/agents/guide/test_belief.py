@@ -346,6 +346,26 @@ def test_a_turn_that_is_not_there_is_left_out_in_the_end() -> None:
     assert any("no such turn" in _kinds(visit.segment) for visit in done)
 
 
+def test_a_turn_that_its_reader_doubts_may_be_none_without_an_error() -> None:
+    cells: dict[Cell, Sequence[float]] = {(0, 0): (EAST,), (1, 0): (NORTH, EAST, WEST)}
+    grid = Grid(cells).walk(*cells)
+
+    def straight_on(unclear: float) -> tuple[float, float]:
+        legs = (Leg(Turn("left"), unclear=unclear),)
+        belief = _believe(RoutePlan(legs=legs, arrival=Arrival(("clock",))), grid)
+        key = grid.exit(1, 0, EAST)
+        ahead = belief.frontiers[key].alignments
+        done = [
+            each.segment for each in ahead if each.segment.leg and not each.segment.lost
+        ]
+        assert any("no such turn" in _kinds(each) for each in done) == (not unclear)
+        return _shares(belief)[key], sum(float(each.weights[0].sum()) for each in done)
+
+    (sure, right), (doubted, no_error) = straight_on(0.0), straight_on(0.5)
+    assert sure < 0.4 < doubted
+    assert right == 0.0 < no_error
+
+
 def _kinds(segment: Segment) -> set[str]:
     return {slip.kind for slip in segment.slips}
 

@@ -298,7 +298,9 @@ class Belief:
             if number > segment.leg and self._is_light(weights):
                 return
             leg = self.plan.legs[number]
-            here = self._said.at_place(segment, number, weights, lead, choices)
+            doubt = leg.unclear
+            meant = weights * (1 - doubt) if doubt else weights
+            here = self._said.at_place(segment, number, meant, lead, choices)
             if not self._is_light(here):
                 base = segment._replace(weights=here, story=story, slips=slips)
                 self._take(base, number, choices)
@@ -308,11 +310,12 @@ class Belief:
                 or faces(self.plan, number)
             )
             if easy:
-                weights = weights * model.no_bend
+                weights = weights * (doubt + (1 - doubt) * model.no_bend)
             else:
-                chance = model.no_turn + 0.2 * leg.turn.doubt
-                weights = then(weights, 0.0, chance, model.again)
-                slips = (*slips, Slip("no such turn", number, segment.at))
+                chance = (1 - doubt) * (model.no_turn + 0.2 * leg.turn.doubt)
+                weights = then(weights, doubt, chance, model.again)
+                if doubt < chance:
+                    slips = (*slips, Slip("no such turn", number, segment.at))
                 story = (*story, f"no turn {number + 1}")
             length = length_of(leg)
             lead += length.metres if length is not None else 0.0

@@ -34,8 +34,6 @@ from memorymaze.language.reading.things import (
     place_on_sign,
 )
 
-SURE = 0.9
-"""Probability of a turn from which on it is not said to be unclear."""
 HEDGED = 0.4
 """Doubt of `I think`."""
 NEAR = 24
@@ -231,8 +229,7 @@ class _MarkedLegs:
                 if kind == "bend" and value != "either" and self._is_slight(mark):
                     value = f"slight_{value}"
                 part.turn |= {"way": value, "forced": kind == "bend"}
-                unsure = mark.probability < SURE
-                part.unclear = round(1 - mark.probability, 2) if unsure else 0.0
+                part.unclear = round(1 - mark.probability, 3)
                 self._said.append((mark, part.turn))
             case "ordinal":
                 self._count(mark, ordinal_in(words), part)
