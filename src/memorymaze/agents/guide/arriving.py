@@ -20,8 +20,8 @@ from memorymaze.agents.guide.likelihoods import (
     length_ratio,
     passings_ratio,
     seen_ratio,
-    then,
     untold_length,
+    without_turn,
 )
 from memorymaze.agents.guide.said_of_legs import counted_since, rest_to_come
 from memorymaze.agents.guide.signs import named_by_use
@@ -111,6 +111,7 @@ class Arrivals:
         self, plan: RoutePlan, floor: FloorMap, model: Likelihoods, things: Things
     ) -> None:
         """Take the plan, the map that the walk draws, and how speakers are."""
+        self._plan = plan
         self._arrival = plan.arrival
         self._legs = len(plan.legs)
         self._floor = floor
@@ -369,8 +370,8 @@ class Arrivals:
 
     def _with_legs_missing(self, segment: Segment) -> Weights:
         weights = segment.weights
-        for _ in range(self._legs - segment.leg):
-            weights = then(weights, 0.0, self._model.no_turn, self._model.again)
+        for leg in self._plan.legs[segment.leg :]:
+            weights = without_turn(self._model, weights, leg)
         return weights
 
     def seen(

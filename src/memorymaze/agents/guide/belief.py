@@ -27,6 +27,7 @@ from memorymaze.agents.guide.likelihoods import (
     then,
     untold_bend,
     way_ratio,
+    without_turn,
 )
 from memorymaze.agents.guide.said_of_legs import SaidOfLegs
 from memorymaze.agents.guide.things import Things
@@ -312,9 +313,8 @@ class Belief:
             if easy:
                 weights = weights * (doubt + (1 - doubt) * model.no_bend)
             else:
-                chance = (1 - doubt) * (model.no_turn + 0.2 * leg.turn.doubt)
-                weights = then(weights, doubt, chance, model.again)
-                if doubt < chance:
+                weights = without_turn(model, weights, leg)
+                if doubt < model.no_turn:
                     slips = (*slips, Slip("no such turn", number, segment.at))
                 story = (*story, f"no turn {number + 1}")
             length = length_of(leg)

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from memorymaze.agents.walking.choices import FORWARD, SLIGHT, Choices
-from memorymaze.language.plans import Length, Passing, Turn
+from memorymaze.language.plans import Leg, Length, Passing, Turn
 
 Weights = NDArray[np.float64]
 """Of every speaker there may be: shape (2, len(SPEAKERS)); the second row once
@@ -161,6 +161,13 @@ def then(
     if wrong:
         after[1] += wrong * (weights[0] + again * weights[1])
     return after
+
+
+def without_turn(model: Likelihoods, weights: Weights, leg: Leg) -> Weights:
+    """Weigh that a leg ends with no turn: read wrongly, or told though there is none."""
+    doubt = leg.unclear
+    error = (1 - doubt) * (model.no_turn + 0.2 * leg.turn.doubt)
+    return then(weights, doubt, error, model.again)
 
 
 # -- lengths
