@@ -5,6 +5,7 @@ import json
 import math
 import os
 import shutil
+import signal
 from collections.abc import Callable, Generator, Sequence
 from contextlib import ExitStack
 from dataclasses import replace
@@ -64,6 +65,9 @@ from memorymaze.runs.work.run_folder import RunRecord, open_run_folder
 from memorymaze.texts.corpus import Corpus, load_corpus
 from memorymaze.world.construction import BuildingKind, make_building
 from memorymaze.world.sites import Site, load_site, load_sites
+
+# What a script starts in the background ignores Ctrl-C, and so would servers under test.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page

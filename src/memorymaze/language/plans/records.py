@@ -175,7 +175,7 @@ class Leg:
     wrong_way: tuple[Words, ...] = ()
     """Things that are met only after having turned to the wrong side."""
     unclear: Doubt = 0.0
-    """The reader's doubt whether this leg was understood as meant."""
+    """The reader's doubt whether this leg was understood as meant: that its turn is none."""
 
 
 @dataclass(frozen=True, slots=True)
