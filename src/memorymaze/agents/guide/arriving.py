@@ -457,11 +457,14 @@ class Arrivals:
         for phrase in (*self.names, *self.kin):
             yield from filter(self._may_be_it, self._floor.seen(phrase))
         for text, name in named_by_use(self.names, self._floor.texts):
-            phrase = f"sign that says {text.phrase}"
+            phrase, track = f"sign that says {text.phrase}", -text.track
             if phrase not in self.names:
                 self._meant.setdefault(phrase, self._meant[name])
-                sign = replace(text, phrase=phrase, label="sign", score=BY_USE)
-                yield from filter(self._may_be_it, (replace(sign, track=-text.track),))
+                sign = replace(
+                    text, phrase=phrase, label="sign", score=BY_USE, track=track
+                )
+                if self._may_be_it(sign):
+                    yield sign
 
     def _may_be_it(self, sighting: Sighting) -> bool:
         if sighting.track in self.refuted:

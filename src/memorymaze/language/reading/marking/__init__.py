@@ -48,7 +48,6 @@ def destination_chance(text: str, word: str) -> float | None:
     return float(chances.max())
 
 
-@lru_cache(maxsize=4096)
 def likeness(one: str, other: str) -> float:
     """Return how alike in meaning two names are: the cosine of the means of their words.
 
