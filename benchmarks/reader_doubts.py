@@ -16,6 +16,7 @@ from benchmarks.marking.marked_texts import load_kept_back, plan_as_marked
 from benchmarks.reading import names_of
 from memorymaze.agents.reader_doubts import (
     aligned_turns,
+    names_read,
     what_tells_of_name,
     what_tells_of_turns,
 )
@@ -93,8 +94,7 @@ def _add_names(
     marks: RoutePlan,
 ) -> None:
     meant = names_of(told.arrival)
-    both = (*marks.arrival.destinations, *parsed.arrival.destinations)
-    for name in dict.fromkeys(both):
+    for name in names_read(parsed, marks):
         tells = what_tells_of_name(name, text, parsed, marks)
         names.add(id, tells, bool(names_of(Arrival((name,))) & meant), 1.0)
 

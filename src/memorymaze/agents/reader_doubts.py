@@ -30,13 +30,18 @@ def likely_names(
 
     They are those of the grammar's and of the network's plan of a text.
     """
-    names = dict.fromkeys((*marked.arrival.destinations, *parsed.arrival.destinations))
     chances: list[tuple[str, float]] = []
-    for name in names:
+    for name in names_read(parsed, marked):
         chance = _chance(NAME_WEIGHTS, what_tells_of_name(name, text, parsed, marked))
         if chance >= LEAST_LIKELY:
             chances.append((name, chance))
     return sorted(chances, key=lambda each: -each[1])[:MOST_NAMES]
+
+
+def names_read(parsed: RoutePlan, marked: RoutePlan) -> tuple[str, ...]:
+    """Return what either takes for a name of the destination, the network's first."""
+    both = *marked.arrival.destinations, *parsed.arrival.destinations
+    return tuple(dict.fromkeys(both))
 
 
 def what_tells_of_name(
