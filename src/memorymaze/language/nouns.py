@@ -25,6 +25,8 @@ _PLURAL_ENDINGS = (
     ("s", ""),
     ("ses", "s"),
 )
+_IN_IE = frozenset({"brownie", "cookie", "movie", "pie", "selfie", "smoothie", "tie"})
+"""Words whose plurals look like those of words in y."""
 
 
 FEW = 20
@@ -249,21 +251,23 @@ def is_adjective(word: str) -> bool:
 def singular(word: str) -> str:
     """Return the singular of a noun in lower case; other words as they are.
 
-    >>> [singular(word) for word in ("shelves", "women", "boxes", "glass", "2347")]
-    ['shelf', 'woman', 'box', 'glass', '2347']
+    >>> [singular(word) for word in ("shelves", "women", "movies", "glass", "2347")]
+    ['shelf', 'woman', 'movie', 'glass', '2347']
     """
     lexicon = _lexicon()
     if word in lexicon.plurals:
         return lexicon.plurals[word]
     if word.endswith("ss") or len(word) < 3:
         return word
+    if word[:-1] in _IN_IE:
+        return word[:-1]
     for ending, replacement in _PLURAL_ENDINGS:
         if word.endswith(ending):
             stem = word[: len(word) - len(ending)] + replacement
             if stem and lexicon.senses(stem):
                 return stem
     if word.endswith("s") and not lexicon.senses(word) and len(word) > 3:
-        return word[:-1]
+        return f"{word[:-3]}y" if word.endswith("ies") else word[:-1]
     return word
 
 

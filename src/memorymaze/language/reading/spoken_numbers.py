@@ -61,11 +61,13 @@ def with_plain_numbers(text: str) -> str:
 
     >>> with_plain_numbers("room two-three-four-seven, then two-one metres")
     'room 2347, then 21 metres'
+    >>> with_plain_numbers("thirty-three-oh-two, right by eleven oh eight")
+    '3302, right by 1108'
     >>> with_plain_numbers("hold twelve: come to three. nine again. the door is at ten.")
     "straight ahead: turn to three o'clock. left again. the door is at ten o'clock."
     """
-    text = _BY_DIGIT.sub(_joined_digits, text)
     text = _BY_PAIRS.sub(_joined_pairs, text)
+    text = _BY_DIGIT.sub(_joined_digits, text)
     if not _BY_THE_CLOCK.search(text) or _COUNTS.search(text):
         return text
     return _HOUR.sub(_as_direction, _ANNOUNCED.sub("", text))

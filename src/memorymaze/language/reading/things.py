@@ -3,6 +3,7 @@
 import re
 from itertools import takewhile
 
+from memorymaze.language.nouns import singular
 from memorymaze.language.plans import Kind
 from memorymaze.language.reading.vocabulary import (
     COMMON,
@@ -117,7 +118,7 @@ def _singular(noun: str) -> str:
     if noun in PLURALS or not noun.endswith("s") or noun.endswith(("ss", "us", "is")):
         return noun
     if noun.endswith("ies"):
-        return noun[:-3] + "y"
+        return singular(noun)
     return noun[: -2 if noun.endswith(("ches", "shes", "sses", "xes")) else -1]
 
 
