@@ -52,6 +52,24 @@ def test_a_range_of_numbers_names_all_in_it(
     assert _pointed(text, "room", number) == ([LEFT] if is_named else [])
 
 
+@pytest.mark.parametrize(
+    ("text", "is_named"),
+    [
+        ("← Meeting Rooms", True),
+        ("← Meeting Rooms, Reception", True),
+        ("← Meeting Room 4", False),
+        ("← Meeting Rooms 1-5", False),
+        ("← Restrooms", False),
+        ("← Meeting Point", False),
+    ],
+)
+def test_a_sign_to_rooms_of_a_kind_points_to_each_of_them(
+    text: str, *, is_named: bool
+) -> None:
+    assert _pointed(text, "meeting", "room", "6") == ([LEFT] if is_named else [])
+    assert _pointed(text, "room", "6") == ([LEFT] if is_named else [])
+
+
 def test_of_names_on_one_line_between_two_arrows_those_at_the_ends_alone_are_sure() -> (
     None
 ):

@@ -86,6 +86,8 @@ def pointed(text: str, names: Sequence[frozenset[str]]) -> list[int]:
     [-90]
     >>> pointed("↑ Reception, Lifts Café, Library →", [frozenset({"library"})])
     [-90]
+    >>> pointed("← Restrooms   Meeting Rooms, Bar →", [frozenset({"room", "6"})])
+    [-90]
     """
     if _BETWEEN.fullmatch(text.strip()):
         first, *_, last = text.split(",") if "," in text else ("", "")
@@ -102,6 +104,10 @@ def _names(group: str, name: frozenset[str]) -> bool:
     if name and name <= words:
         return True
     numbers = [int(each) for each in name if each.isdigit()]
+    kind = {each for each in name if not each.isdigit()}
+    if numbers and kind and not re.search(r"\d", group):
+        plain = re.findall(r"[a-z]+", group.casefold())
+        return kind <= words and any(f"{each}s" in plain for each in kind)
     return any(
         int(low) <= number <= int(high)
         for low, high in _RANGE.findall(group)
