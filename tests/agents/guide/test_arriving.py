@@ -215,6 +215,18 @@ def test_a_name_weighs_more_than_a_thing_of_which_there_are_many() -> None:
     assert share("door") < 0.9 < 0.99 < share("planetarium")
 
 
+def test_a_place_with_a_door_and_a_sign_is_no_two_places() -> None:
+    def ratio(*seen: Point) -> float:
+        floor = _floor(frozenset({"cafe"}), *(("cafe", each) for each in seen))
+        plan, model = RoutePlan(arrival=Arrival(("cafe",))), Likelihoods()
+        arrivals = Arrivals(plan, floor, model, Things(plan, floor, model))
+        return arrivals.seen(floor.seen("cafe")[0])
+
+    door, sign, another = (8.0, 1.0), (6.5, 1.0), (-8.0, 1.0)
+    assert ratio(door, sign) == pytest.approx(ratio(door))
+    assert ratio(door, another) < ratio(door)
+
+
 def test_the_second_door_told_is_not_the_first_one_seen_nor_a_sign() -> None:
     phrase = "Laboratory"
     floor = _floor(frozenset({phrase}))

@@ -54,9 +54,9 @@ ANYWHERE = 2.0
 MOST_WIDER = 4
 """More general words for a destination that are looked for."""
 
-UNIQUE, IN_PART = 0.08, 0.25
-"""How often a name told of a destination is met elsewhere, beside other things; and
-something that fits it in part, as a conference room does a board room."""
+UNIQUE = 0.3
+"""How often what fits a name told of a destination in full is met elsewhere, beside other
+things."""
 COMMON_UNSEEN = 0.4
 """Weight of a place where a thing of a kind that is everywhere was not seen."""
 LIKELY_MEANT = 0.5
@@ -411,11 +411,11 @@ class Arrivals:
 
     def _base(self, sighting: Sighting) -> float:
         model = self._model
-        rate, most = self._things.rate(sighting.phrase), MOST_SEEN
+        rate, most = self._things.rate(sighting.phrase, sighting), MOST_SEEN
         if sighting.phrase in self.kin:
             rate = max(rate, model.common_rate)
         elif not is_common(sighting.phrase) and not self._is_told_apart:
-            often = UNIQUE if sighting.score >= IN_FULL else IN_PART
+            often = UNIQUE if sighting.score >= IN_FULL else 1.0
             rate, most = often * rate, MOST_SEEN / often
         there = (1 - model.misnamed) * model.detected * sighting.score
         ratio = seen_ratio(rate, REACH, there, most)

@@ -48,6 +48,8 @@ THIS_FLOOR, OTHER_FLOOR = 3.3, 0.08
 """Weights of a place that has the floor told of it, and of one that has another."""
 NO_WAY = 0.25
 """Weight of a place that has no such floor on the side where it was told."""
+ONE_PLACE = 4.0
+"""Metres within which what bears a name is one place."""
 _SIDES = {"left": math.pi / 2, "right": -math.pi / 2, "ahead": 0.0}
 _ByLine = dict[tuple[Point, ...], list[Sighting]]
 BEFORE_ANY = 60.0
@@ -94,10 +96,16 @@ class Things:
             for each in self._mentions[number]
         )
 
-    def rate(self, phrase: str) -> float:
-        """Return how often such a thing is met per metre in this building."""
+    def rate(self, phrase: str, beside: Sighting | None = None) -> float:
+        """Return how often such a thing is met per metre in this building.
+
+        Of what is at the place of a sighting none counts: a café has a door and signs.
+        """
         usual = self._model.common_rate if is_common(phrase) else self._model.rare_rate
-        counted = len(self._floor.seen(phrase))
+        counted = sum(
+            beside is None or math.dist(each.place, beside.place) > ONE_PLACE
+            for each in self._floor.seen(phrase)
+        )
         return (usual * BEFORE_ANY + counted) / (BEFORE_ANY + self._floor.metres)
 
     def _detected(self, *, at_turn: bool = False) -> float:
