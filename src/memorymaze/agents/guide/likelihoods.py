@@ -36,7 +36,7 @@ class Likelihoods:
     """Of a corner without a choice that is not told."""
     bend_untold: float = 0.45
     """The same of one of 45 degrees; the slighter a bend, the less it counts."""
-    choice_untold: float = 0.06
+    choice_untold: float = 0.08
     """Of a turn left out where one has to choose (an error)."""
     turn_untold: float = 0.015
     """Of a turn left out where one could go on (an error)."""
