@@ -83,6 +83,19 @@ def test_a_folder_that_cannot_be_written_is_refused_before_the_walk(
     assert f"expected a folder to write to, got a file at {agent}" in done.err
 
 
+def test_a_folder_with_a_walk_is_not_written_over(
+    memorymaze: Memorymaze, tiny_sites_folder: Path, tmp_path: Path
+) -> None:
+    plan = tiny_sites_folder / "loop.geojson"
+    walk = "navigate", plan, "R1", "Go.", "--agent", "stop", "--out", tmp_path / "walk"
+    assert memorymaze(*walk).code == 0
+    kept = (tmp_path / "walk" / "trace.jsonl").read_bytes()
+    done = memorymaze(*walk)
+    assert (done.code, done.out) == (1, "")
+    assert f"{tmp_path / 'walk'}: has a walk already" in done.err
+    assert (tmp_path / "walk" / "trace.jsonl").read_bytes() == kept
+
+
 def test_what_an_agent_prints_is_no_result(
     memorymaze: Memorymaze, tiny_sites_folder: Path, tmp_path: Path
 ) -> None:

@@ -39,13 +39,19 @@ FILES = ("trajectory.json", "trace.jsonl", "picture.png")
 
 
 def check_folder(folder: Path) -> None:
-    """Refuse a folder that cannot be written, before an episode is run for it."""
+    """Refuse a folder that cannot be written, or has a walk, before an episode is run."""
     there = next(each for each in (folder, *folder.absolute().parents) if each.exists())
     if not there.is_dir() or not os.access(there, os.W_OK | os.X_OK):
         what = "a folder without leave to write" if there.is_dir() else "a file"
         raise RunFolderError(
             f"{folder}: expected a folder to write to, got {what} at {there}; choose "
             "another one with --out"
+        )
+    kept = [name for name in FILES if (folder / name).exists()]
+    if kept:
+        raise RunFolderError(
+            f"{folder}: has a walk already ({', '.join(kept)}); choose another folder with "
+            "--out, or delete it"
         )
 
 

@@ -2,6 +2,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import pytest
+
 Memorymaze = Callable[..., Any]
 
 
@@ -15,3 +17,16 @@ def test_a_folder_for_hubs_is_of_the_shipped_texts_alone(
     said = memorymaze(*command, tmp_path / "mine.jsonl")
     assert said.code == 2
     assert "write yours with --format parquet" in said.err
+
+
+@pytest.mark.parametrize("action", ["import", "export"])
+def test_a_file_is_not_written_over_by_what_it_becomes(
+    memorymaze: Memorymaze, tmp_path: Path, action: str
+) -> None:
+    mine = tmp_path / "mine.csv"
+    mine.write_text("kept", encoding="utf-8")
+    command = "instructions", action, mine, "--format", "csv", "--out", mine
+    said = memorymaze(*command)
+    assert said.code == 2
+    assert f"--out {mine}: is read here" in said.err
+    assert mine.read_text(encoding="utf-8") == "kept"

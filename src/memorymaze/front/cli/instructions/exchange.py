@@ -61,6 +61,7 @@ def add_parser(actions: Verbs) -> None:
 
 
 def _export(options: argparse.Namespace) -> None:
+    from memorymaze.basics.durable_files import check_no_input
     from memorymaze.basics.errors import SettingsError
     from memorymaze.texts.corpus import load_corpus
     from memorymaze.texts.corpus.spreadsheets import write_spreadsheet
@@ -76,6 +77,7 @@ def _export(options: argparse.Namespace) -> None:
             "the shipped texts came to be; write yours with --format parquet, and a card "
             "of your own"
         )
+    check_no_input(options.out, options.files)
     corpus = load_corpus(options.files or None, sites=options.sites)
     read, sites = corpus.instructions, corpus.sites
     if options.format == "hub":
@@ -91,12 +93,14 @@ def _export(options: argparse.Namespace) -> None:
 
 
 def _import(options: argparse.Namespace) -> None:
+    from memorymaze.basics.durable_files import check_no_input
     from memorymaze.basics.errors import SettingsError
     from memorymaze.texts.corpus import episodes, write_instructions
     from memorymaze.texts.corpus.spreadsheets import read_spreadsheet
     from memorymaze.texts.exchange import Unlabelled, read_r2r, read_vln_ce
     from memorymaze.world.sites import load_sites
 
+    check_no_input(options.out, options.files)
     sites = load_sites(options.sites)
     if (options.study is None) != (options.source is None):
         raise SettingsError("--study and --source: expected both or neither, got one")
