@@ -100,3 +100,16 @@ def test_texts_are_not_written_over_those_they_are_made_of(
     assert told.code == 2
     assert "is read here, and would be lost" in told.err
     assert texts.read_bytes() == before
+
+
+def test_of_each_text_of_a_file_one_is_made(
+    memorymaze: Memorymaze, tiny_files: list[str], tmp_path: Path
+) -> None:
+    out = tmp_path / "made.jsonl"
+    told = memorymaze(
+        *("instructions", "generate", "--from", tiny_files[1], "--per-cell", "3"),
+        *("--out", out),
+    )
+    assert told.code == 2
+    assert "--per-cell: with --from one text is made of each" in told.err
+    assert not out.exists()
