@@ -1,5 +1,6 @@
 import json
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -90,6 +91,21 @@ def test_a_robot_by_hand_says_where_it_is(corridor: Path) -> None:
 def test_a_robot_by_hand_has_nobody_who_answers(corridor: Path) -> None:
     with pytest.raises(SettingsError, match="ask: expected none for a robot driven"):
         mm.make_robot(corridor, ask=1)
+
+
+@pytest.mark.parametrize(
+    ("choice", "said"),
+    [
+        ({"seed": -1}, "seed: expected a whole number of at least 0, got -1"),
+        ({"obstacles": True}, "obstacles: expected ObstacleSettings, a level by name"),
+        ({"noise": 0.1}, "noise: expected NoiseSettings, a level by name or None, got"),
+    ],
+)
+def test_a_robot_by_hand_is_not_made_of_what_means_nothing(
+    corridor: Path, choice: dict[str, Any], said: str
+) -> None:
+    with pytest.raises(SettingsError, match=said):
+        mm.make_robot(corridor, **choice)
 
 
 def test_what_is_no_agent_is_refused(corridor: Path) -> None:

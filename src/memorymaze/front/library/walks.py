@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from memorymaze.basics.errors import SettingsError
+from memorymaze.basics.options import check_whole
 from memorymaze.language.models.model_settings import ModelSettings
 from memorymaze.robot.simulation.robot import SimulatedRobot
 from memorymaze.robot.simulation.scene import build_scene
@@ -164,6 +165,7 @@ def make_robot(
     Raises:
         MemoryMazeError: Something that was given cannot be used.
     """
+    check_whole("seed", seed, least=0)
     building = site if isinstance(site, Site) else load_site(site)
     chosen = _of_one_walk(settings, choices)
     if chosen.ask is not None:

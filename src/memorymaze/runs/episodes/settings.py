@@ -212,6 +212,12 @@ class RunSettings:
                 "success distance: expected more than 0 metres, got "
                 f"{self.success_distance!r}"
             )
+        for name, kind in (("obstacles", ObstacleSettings), ("noise", NoiseSettings)):
+            value = getattr(self, name)
+            if value is not None and not isinstance(value, kind):
+                raise SettingsError(
+                    f"{name}: expected {kind.__name__}, a level by name or None, got {value!r}"
+                )
         check_word("budget_by", self.budget_by, BudgetBy)
         check_word("passers_by", self.passers_by, PassersBy)
         self._check_asking()
