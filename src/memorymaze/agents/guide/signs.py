@@ -100,6 +100,7 @@ def pointed(text: str, names: Sequence[frozenset[str]]) -> list[int]:
 
 
 def _names(group: str, name: frozenset[str]) -> bool:
+    """Tell whether names on a sign are of a place: by name, by its kind, or by a range."""
     words = _words(group)
     if name and name <= words:
         return True
