@@ -11,7 +11,7 @@ from memorymaze.texts.corpus.records import Instruction
 from memorymaze.texts.writing.editing import with_errors
 from memorymaze.texts.writing.grammar import write_texts
 from memorymaze.texts.writing.model_engine import written_by_model
-from memorymaze.texts.writing.request import GenerationRequest
+from memorymaze.texts.writing.request import PER_CELL, GenerationRequest
 from memorymaze.texts.writing.sampling import Outline, cells_of, sample_outlines
 from memorymaze.world.sites import Site, load_sites
 
@@ -73,7 +73,7 @@ def _outlines(request: GenerationRequest, sites: dict[str, Site]) -> Iterator[Ou
         for cell in cells:
             found = True
             yield from sample_outlines(
-                cell, request.rates, request.per_cell, request.seed
+                cell, request.rates, request.per_cell or PER_CELL, request.seed
             )
     if not found:
         routes = {route.route for site in sites.values() for route in site.routes}

@@ -135,6 +135,7 @@ def _published_turns() -> float:
 
 GRAMMAR = "grammar"
 TABLE_ONE = ErrorRates()
+PER_CELL = 10
 
 
 @dataclass(frozen=True, slots=True)
@@ -153,8 +154,8 @@ class GenerationRequest:
     """Only this one, such as `R1`."""
     study: Literal["online", "onsite"] | None = None
     iteration: Literal[1, 2] | None = None
-    per_cell: int = 10
-    """Texts per route, study and iteration."""
+    per_cell: int | None = None
+    """Texts per route, study and iteration, `PER_CELL` where None; of files one of each."""
     rates: ErrorRates = TABLE_ONE
     paired: bool = False
     """Whether every text with errors comes with the same text without."""
@@ -164,7 +165,12 @@ class GenerationRequest:
 
     def __post_init__(self) -> None:
         """Refuse values without meaning."""
-        check_whole("--per-cell", self.per_cell, least=1)
+        if self.per_cell is not None:
+            check_whole("--per-cell", self.per_cell, least=1)
+            if self.instruction_files:
+                raise SettingsError(
+                    "--per-cell: with --from one text is made of each; leave one of them out"
+                )
         check_whole("--seed", self.seed, least=0)
         if self.paired and self.rates.failure == 0:
             raise SettingsError(

@@ -12,9 +12,6 @@ from memorymaze.language.models.model_settings import ModelSettings
 if TYPE_CHECKING:
     from memorymaze.language.models.model import LanguageModel
 
-TEXTS_PER_CELL = 10
-"""Per route, study and iteration."""
-
 
 def add_parser(actions: Verbs) -> None:
     """Add the action to `memorymaze instructions`."""
@@ -40,7 +37,7 @@ def add_parser(actions: Verbs) -> None:
         "--per-cell",
         metavar="N",
         type=int,
-        help=f"texts per route, study and iteration (default: {TEXTS_PER_CELL})",
+        help="texts per route, study and iteration (default: 10)",
     )
     parser.add_argument(
         "--errors",
@@ -77,7 +74,6 @@ def add_parser(actions: Verbs) -> None:
 
 def _run(options: argparse.Namespace) -> int:
     from memorymaze.basics.durable_files import check_no_input
-    from memorymaze.basics.errors import SettingsError
     from memorymaze.texts.corpus.files import write_instructions
     from memorymaze.texts.writing import (
         GenerationRequest,
@@ -85,10 +81,6 @@ def _run(options: argparse.Namespace) -> int:
         parse_rates,
     )
 
-    if options.sources and options.per_cell is not None:
-        raise SettingsError(
-            "--per-cell: with --from one text is made of each; leave one of them out"
-        )
     check_no_input(options.out, options.sources or ())
     default = "failure=1" if options.sources else "published"
     request = GenerationRequest(
@@ -97,7 +89,7 @@ def _run(options: argparse.Namespace) -> int:
         route=options.route,
         study=options.study,
         iteration=options.iteration,
-        per_cell=TEXTS_PER_CELL if options.per_cell is None else options.per_cell,
+        per_cell=options.per_cell,
         rates=parse_rates(options.errors or default),
         paired=options.paired,
         seed=options.seed,
