@@ -25,8 +25,16 @@ _PLURAL_ENDINGS = (
     ("s", ""),
     ("ses", "s"),
 )
-_IN_IE = frozenset({"brownie", "cookie", "movie", "pie", "selfie", "smoothie", "tie"})
-"""Words whose plurals look like those of words in y."""
+_IN_IE = frozenset({
+    "brownies",
+    "cookies",
+    "movies",
+    "pies",
+    "selfies",
+    "smoothies",
+    "ties",
+})
+"""Plurals of words in ie, which look like those of words in y."""
 
 
 FEW = 20
@@ -259,7 +267,7 @@ def singular(word: str) -> str:
         return lexicon.plurals[word]
     if word.endswith("ss") or len(word) < 3:
         return word
-    if word[:-1] in _IN_IE:
+    if word in _IN_IE:
         return word[:-1]
     for ending, replacement in _PLURAL_ENDINGS:
         if word.endswith(ending):
