@@ -414,9 +414,10 @@ class Arrivals:
         rate, most = self._things.rate(sighting.phrase, sighting), MOST_SEEN
         if sighting.phrase in self.kin:
             rate = max(rate, model.common_rate)
-        elif not is_common(sighting.phrase) and not self._is_told_apart:
-            often = UNIQUE if sighting.score >= IN_FULL else 1.0
-            rate, most = often * rate, MOST_SEEN / often
+        elif sighting.score >= IN_FULL and not (
+            is_common(sighting.phrase) or self._is_told_apart
+        ):
+            rate, most = UNIQUE * rate, MOST_SEEN / UNIQUE
         there = (1 - model.misnamed) * model.detected * sighting.score
         ratio = seen_ratio(rate, REACH, there, most)
         if sighting.phrase not in self._first:

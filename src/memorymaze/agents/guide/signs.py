@@ -104,22 +104,27 @@ def _names(group: str, name: frozenset[str]) -> bool:
     words = _words(group)
     if name and name <= words:
         return True
-    numbers = [int(each) for each in name if each.isdigit()]
-    kind = {each for each in name if not each.isdigit()}
-    if numbers and kind and not re.search(r"\d", group):
-        plain = re.findall(r"[a-z]+", group.casefold())
-        return kind <= words and any(f"{each}s" in plain for each in kind)
+    numbers = {each for each in name if each.isdigit()}
+    kind = name - numbers
+    if not any(each.isdigit() for each in words):
+        # Meeting Rooms are all of them; a Meeting Room is one.
+        several = any(f"{each}s" in _plain(group) for each in kind)
+        return bool(numbers) and kind <= words and several
     return any(
-        int(low) <= number <= int(high)
+        int(low) <= int(number) <= int(high)
         for low, high in _RANGE.findall(group)
         for number in numbers
     )
 
 
 def _words(text: str) -> frozenset[str]:
-    plain = text.casefold().replace("é", "e")
-    words = re.findall(r"[a-z]+|\d+", plain)
-    return frozenset(w[:-1] if len(w) > 3 and w.endswith("s") else w for w in words)
+    return frozenset(
+        w[:-1] if len(w) > 3 and w.endswith("s") else w for w in _plain(text)
+    )
+
+
+def _plain(text: str) -> list[str]:
+    return re.findall(r"[a-z]+|\d+", text.casefold().replace("é", "e"))
 
 
 def _crossing_of(text: Sighting, heading: float, floor: FloorMap) -> Crossing | None:

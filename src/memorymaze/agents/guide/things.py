@@ -102,11 +102,10 @@ class Things:
         Of what is at the place of a sighting none counts: a café has a door and signs.
         """
         usual = self._model.common_rate if is_common(phrase) else self._model.rare_rate
-        counted = sum(
-            beside is None or math.dist(each.place, beside.place) > ONE_PLACE
-            for each in self._floor.seen(phrase)
-        )
-        return (usual * BEFORE_ANY + counted) / (BEFORE_ANY + self._floor.metres)
+        seen = self._floor.seen(phrase)
+        if beside is not None:
+            seen = [e for e in seen if math.dist(e.place, beside.place) > ONE_PLACE]
+        return (usual * BEFORE_ANY + len(seen)) / (BEFORE_ANY + self._floor.metres)
 
     def _detected(self, *, at_turn: bool = False) -> float:
         """How likely a thing that is there is seen.
