@@ -22,6 +22,7 @@ from memorymaze.language.models.scripted_model import ScriptedLanguageModel
 from memorymaze.language.plans import (
     Arrival,
     Leg,
+    Mention,
     RoutePlan,
     Turn,
     parse_plan,
@@ -232,6 +233,21 @@ def test_a_sentence_that_was_taken_for_a_thing_is_not_looked_for(
 def test_a_reply_full_of_brackets_is_refused_at_once() -> None:
     with pytest.raises(PlanFileError, match="expected one JSON object"):
         read_plan_reply("{" * 1_000_000)
+
+
+@pytest.mark.parametrize("told", ["carpet", "carpet floor"])
+def test_a_floor_that_a_model_names_by_its_covering_is_a_floor(told: str) -> None:
+    floor = Mention(told, kind="floor", place="along")
+    plan = RoutePlan(
+        legs=(Leg(Turn("left"), mentions=(floor,)),),
+        arrival=Arrival(mentions=(floor, Mention("carpet", kind="object"))),
+    )
+    read = read_plan_reply(json.dumps(plan_record(plan)))
+    told_of = [each.mentions for each in (*read.legs, read.arrival)]
+    assert [[each.phrase for each in some] for some in told_of] == [
+        ["carpet floor"],
+        ["carpet floor", "carpet"],
+    ]
 
 
 def test_of_a_reply_full_of_mistakes_the_model_is_told_the_first() -> None:

@@ -5,7 +5,7 @@ reply is no plan; or not at all, where the text is a plan already.
 """
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import count
 from typing import Literal
@@ -29,9 +29,9 @@ from memorymaze.language.models.model import (
     ModelQuestion,
 )
 from memorymaze.language.models.prompt_texts import load_prompt, prompt_version
-from memorymaze.language.plans import RoutePlan, parse_plan
+from memorymaze.language.plans import Mention, RoutePlan, parse_plan
 from memorymaze.language.plans.grammar import plan_grammar
-from memorymaze.language.reading import parse_route_description
+from memorymaze.language.reading import is_floor, parse_route_description
 from memorymaze.language.reading.marking import read_by_marks
 
 ReaderName = Literal["both", "grammar", "learned", "model", "plan"]
@@ -254,7 +254,20 @@ def read_plan_reply(reply: str) -> RoutePlan:
         record = parse_record(object_in(reply))
     except ValueError as error:
         raise PlanFileError(f"plan: {error}") from None
-    return parse_plan(record, "plan")
+    plan = parse_plan(record, "plan")
+    legs = (replace(leg, mentions=_floors_named(leg.mentions)) for leg in plan.legs)
+    arrival = replace(plan.arrival, mentions=_floors_named(plan.arrival.mentions))
+    return replace(plan, legs=tuple(legs), arrival=arrival)
+
+
+def _floors_named(mentions: Iterable[Mention]) -> tuple[Mention, ...]:
+    """Call a floor one, as readers of our own do: `carpet` is the `carpet floor`."""
+    return tuple(
+        replace(each, phrase=f"{each.phrase} floor")
+        if each.kind == "floor" and not is_floor(each.phrase)
+        else each
+        for each in mentions
+    )
 
 
 def _read_plan(reply: str) -> RoutePlan:
