@@ -6,6 +6,9 @@ mean, over walks, of the negative logarithm of what the belief gives to the righ
 walk is needed to try other values. L-BFGS-B moves all of them, as log odds or logarithms,
 and pays for going far from the values that stand. What is best on the kinds of buildings
 left out is kept (docs/lab/guide_fit.md).
+
+Walk it before you believe it: the decisions are those of the guide as it is, and where it
+went wrong the right way is the way back, so more doubt looks better here than it walks.
 """
 
 import argparse
