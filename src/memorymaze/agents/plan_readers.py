@@ -261,7 +261,7 @@ def read_plan_reply(reply: str) -> RoutePlan:
 
 
 def _floors_named(mentions: Iterable[Mention]) -> tuple[Mention, ...]:
-    """Call a floor one, as readers of our own do: `carpet` is the `carpet floor`."""
+    """Name floors so that they are looked for as floors: `carpet` is the `carpet floor`."""
     return tuple(
         replace(each, phrase=f"{each.phrase} floor")
         if each.kind == "floor" and not is_floor(each.phrase)
