@@ -280,14 +280,26 @@ def test_between_a_left_and_a_right_way_nothing_else_is_taken(
 # Looking and reading.
 
 
-@pytest.mark.parametrize("words", ["floor", "wall", "corridor", "hall", "linoleum"])
-def test_floors_walls_corridors_and_halls_are_not_found(
+@pytest.mark.parametrize("words", ["wall", "corridor", "hall", "plaster"])
+def test_walls_corridors_and_halls_are_not_found(
     scenes: Scenes, put_robot: PutRobot, api_says: ApiSays, words: str
 ) -> None:
-    api_says("floors, walls, corridors and halls are not")
+    api_says("walls, corridors and halls are not")
     for name in ("corridor", "two_rooms", "t_junction"):
         robot = put_robot(name, *scenes[name].site.routes[0].start[:2], 0)
         assert not any(robot.detect_from_RGB_image(words) for _ in walk(robot))
+
+
+@pytest.mark.parametrize(
+    ("words", "found"),
+    [("linoleum", True), ("the floor", True), ("lino floor", True), ("carpet", False)],
+)
+def test_a_floor_is_found_by_what_covers_it(
+    put_robot: PutRobot, api_says: ApiSays, words: str, found: bool
+) -> None:
+    api_says('floors by what covers them ("carpet", "tiled floor")')
+    robot = put_robot("t_junction", -9, 0, 0)
+    assert bool(robot.detect_from_RGB_image(words)) is found
 
 
 def test_a_room_is_found_by_its_door(put_robot: PutRobot, api_says: ApiSays) -> None:

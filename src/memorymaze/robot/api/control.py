@@ -224,9 +224,10 @@ class Robot(Protocol):
         Any English words can be asked for: "door", "red chair", "vending machine",
         "sign that says Library". Only things within 4 m and in view (45 degrees to
         either side of straight ahead, not hidden by walls or other things) are
-        found. Rooms are found by their doors ("library", "room 12"); floors, walls,
-        corridors and halls are not. Numbers match whole: "sign that says 12" finds
-        neither 112 nor 13. A sign may bear the words and only point the way: read it.
+        found. Rooms are found by their doors ("library", "room 12"), floors by what
+        covers them ("carpet", "tiled floor"); walls, corridors and halls are not.
+        Numbers match whole: "sign that says 12" finds neither 112 nor 13. A sign may
+        bear the words and only point the way: read it.
         The same thing seen again keeps its `track_id`, so counting different
         `track_id`s counts things.
 

@@ -19,7 +19,7 @@ from memorymaze.robot.api.viewpoints import (
     SeenThing,
     WayOn,
 )
-from memorymaze.robot.perception.camera_view import VisibleObject
+from memorymaze.robot.perception.camera_view import ObjectDescription, VisibleObject
 from memorymaze.robot.simulation.robot import SimulatedRobot
 from memorymaze.robot.simulation.scene import Scene
 from memorymaze.robot.simulation.scene_sentences import (
@@ -29,6 +29,7 @@ from memorymaze.robot.simulation.scene_sentences import (
     thing_words,
     view_sentence,
 )
+from memorymaze.robot.simulation.senses.coverings import is_floor_piece
 from memorymaze.world.sites.navigation_graph import NavigationGraph, Viewpoint
 
 THERE = 0.05
@@ -203,7 +204,7 @@ def _sightings(
             for each in camera.visible_texts(SEEN_WITHIN)
             if each.facing > math.pi / 2
         }
-        for seen in camera.visible_objects(SEEN_WITHIN):
+        for seen in camera.visible_objects(SEEN_WITHIN, _is_thing):
             which = (seen.description, seen.position)
             aside = abs(seen.bearing)
             if which in turned_away:
@@ -213,6 +214,11 @@ def _sightings(
                 there = _Sighting(wrap_angle(heading + seen.bearing), seen)
                 best[which] = (aside, there)
     return sorted((each for _, each in best.values()), key=lambda s: s.seen.distance)
+
+
+def _is_thing(description: ObjectDescription) -> bool:
+    """Tell whether it is no floor: of that `PlaceSurface` tells."""
+    return not is_floor_piece(description)
 
 
 def _within_reach(sightings: Sequence[_Sighting]) -> tuple[SeenThing, ...]:

@@ -13,11 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 from shapely import (
     LineString,
-    MultiPolygon,
     Point,
     Polygon,
     STRtree,
-    affinity,
     box,
     get_coordinates,
     prepare,
@@ -29,15 +27,14 @@ from shapely.geometry.polygon import orient
 
 from memorymaze.world.looks.doors import is_seen_through as door_is_seen_through
 from memorymaze.world.looks.windows import is_window
-from memorymaze.world.sites.records import Area, Corridor, Site, TurningPoint
+from memorymaze.world.sites.floor_surfaces import cut_up, polygons_of, surface_pieces
+from memorymaze.world.sites.records import Area, Corridor, Site
 from memorymaze.world.sites.solids import door_solid, landmark_solid
 
 BAY = 2.4
 """Metres between lamps; the pictures of floors, walls and ceilings repeat with it."""
 SLICE = 6.0
 """Longest edge of the pieces into which parts are cut, metres."""
-SMALLEST = 1e-4
-"""Square metres below which a left-over piece is dropped."""
 Behind = Literal["outdoors", "room"]
 HollowOutline = list[tuple[float, float]]
 """Of what is hollow behind a wall, closed: metres along and behind it."""
@@ -92,49 +89,12 @@ class FloorPart:
 
 def floor_parts(site: Site) -> list[FloorPart]:
     """Cut the walkable floor into parts: areas first, then corridors, then the rest."""
-    parts: list[FloorPart] = []
-    taken: BaseGeometry = Polygon()
-    sources: list[Area | Corridor] = [*site.areas, *site.corridors]
-    for source in sources:
-        rest = source.polygon.difference(taken)
-        taken = taken.union(source.polygon)
-        parts += [_part(source.id, source, piece) for piece in polygons_of(rest)]
-    for point in site.turning_points:
-        rest = point.polygon.difference(taken)
-        taken = taken.union(point.polygon)
-        model = _nearest(point, parts, sources)
-        parts += [_part(point.id, model, piece) for piece in polygons_of(rest)]
-    return parts
-
-
-def polygons_of(shape: BaseGeometry) -> Iterator[Polygon]:
-    """Yield the polygons of a shape that are more than a sliver."""
-    if isinstance(shape, Polygon):
-        if shape.area > SMALLEST:
-            yield shape
-    elif isinstance(shape, MultiPolygon) or hasattr(shape, "geoms"):
-        for piece in shape.geoms:  # pyright: ignore[reportAttributeAccessIssue]
-            yield from polygons_of(piece)
+    return [_part(*piece) for piece in surface_pieces(site)]
 
 
 def sliced(part: FloorPart) -> Iterator[Polygon]:
     """Yield the part in pieces of at most `SLICE` by `SLICE`, along its own heading."""
-    turned = affinity.rotate(
-        part.polygon, -part.heading, origin=(part.x, part.y), use_radians=True
-    )
-    prepare(turned)
-    west, south, east, north = turned.bounds
-    columns = max(1, math.ceil((east - west) / SLICE))
-    rows = max(1, math.ceil((north - south) / SLICE))
-    wide, high = (east - west) / columns, (north - south) / rows
-    for column in range(columns):
-        for row in range(rows):
-            x, y = west + column * wide, south + row * high
-            piece = turned.intersection(box(x, y, x + wide, y + high))
-            for polygon in polygons_of(piece):
-                yield affinity.rotate(
-                    polygon, part.heading, origin=(part.x, part.y), use_radians=True
-                )
+    yield from cut_up(part.polygon, SLICE, part.heading, (part.x, part.y))
 
 
 def _part(identity: str, source: Area | Corridor, piece: Polygon) -> FloorPart:
@@ -173,20 +133,6 @@ def _long_direction(polygon: Polygon) -> tuple[float, float]:
     heading = math.atan2(longest[1], longest[0])
     across = ring @ np.array([-math.sin(heading), math.cos(heading)])
     return heading, float(across.max() - across.min())
-
-
-def _nearest(
-    point: TurningPoint, parts: list[FloorPart], sources: list[Area | Corridor]
-) -> Area | Corridor:
-    if not sources:
-        return Area(point.id, point.polygon, None, "tile", "plaster", open_air=False)
-    return min(
-        sources,
-        key=lambda each: (
-            each.polygon.distance(point.polygon),
-            -each.polygon.intersection(point.polygon).area,
-        ),
-    )
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,6 +12,7 @@ from memorymaze.basics.geometry.pose import Pose
 from memorymaze.robot.perception import VisibleObject
 from memorymaze.robot.simulation.robot import SimulatedRobot
 from memorymaze.robot.simulation.scene import Scene, build_scene
+from memorymaze.robot.simulation.senses.coverings import is_floor_piece
 from memorymaze.robot.simulation.senses.sight_targets import describe_door
 from memorymaze.world.sites import Site
 from memorymaze.world.sites.records import Door
@@ -21,7 +22,18 @@ LENS_HEIGHT = 1.25
 
 
 def look(robot: SimulatedRobot, range_limit: float = 4.0) -> list[VisibleObject]:
-    return list(robot.camera_view().visible_objects(range_limit))
+    """See what stands about; the floor is there anyhow."""
+    seen = robot.camera_view().visible_objects(range_limit)
+    return [each for each in seen if not is_floor_piece(each.description)]
+
+
+def floors(scene: Scene, put_robot: PutRobot, x: float) -> dict[str, float]:
+    """Return metres to the nearest floor of each covering, seen from there to the east."""
+    seen = put_robot(scene, x, 0).camera_view().visible_objects(4.0)
+    nearest: dict[str, float] = {}
+    for each in sorted(seen, key=lambda thing: thing.distance):
+        nearest.setdefault(each.description.category, each.distance)
+    return nearest
 
 
 def kinds(things: list[VisibleObject]) -> list[str]:
@@ -304,3 +316,36 @@ def seen_blocks(scene: Scene, robot: SimulatedRobot) -> dict[tuple[float, float]
 def overlap(first: Box, second: Box) -> float:
     a, b = box(*first), box(*second)
     return float(a.intersection(b).area / a.union(b).area)
+
+
+def test_a_floor_is_seen_by_its_covering_from_where_it_comes_into_the_picture(
+    plans: Any, put_robot: PutRobot
+) -> None:
+    tiles = plans.area("hall", box(-10, -2, 0, 2))
+    carpet = replace(plans.area("lounge", box(0, -2, 10, 2)), floor_material="carpet")
+    scene = build_scene(plans.site(tiles, carpet))
+    near = floors(scene, put_robot, -2.0)
+    assert near["carpet floor"] > near["tile floor"]
+    assert near["carpet floor"] == pytest.approx(math.hypot(2.0, LENS_HEIGHT), abs=0.1)
+    assert set(floors(scene, put_robot, -8.0)) == {"tile floor"}
+    assert set(floors(scene, put_robot, 2.0)) == {"carpet floor"}
+
+
+def test_a_floor_behind_a_wall_is_not_seen(plans: Any, put_robot: PutRobot) -> None:
+    tiles = plans.area("hall", box(-10, -2, 0, 2))
+    carpet = replace(plans.area("lounge", box(0.5, -2, 10, 2)), floor_material="carpet")
+    way_round = plans.area("way round", box(-10, 2, 10, 3))
+    scene = build_scene(plans.site(tiles, carpet, way_round))
+    assert set(floors(scene, put_robot, -2.5)) == {"tile floor"}
+
+
+def test_a_covering_among_the_landmarks_is_seen_in_place_of_the_floor(
+    plans: Any, put_robot: PutRobot
+) -> None:
+    rug = replace(
+        plans.thing("rug", 2.5, 0.0, size=(2.0, 2.0, 0.01)),
+        category="flowered carpet floor",
+        obstacle=False,
+    )
+    seen = floors(hall_with(plans, rug), put_robot, 0.0)
+    assert set(seen) == {"flowered carpet floor"}

@@ -1,4 +1,4 @@
-"""What there is to see in a scene, and to read: doors, landmarks, things and people.
+"""What there is to see in a scene, and to read: doors, landmarks, floors, things and people.
 
 They are named and covered with points; whether they are seen from somewhere is decided in
 `visibility.py`. How words are really painted is a matter of `looks`; here are its
@@ -20,6 +20,7 @@ from memorymaze.basics.physics_engine import mujoco
 from memorymaze.robot.perception.appearance import parse_appearance
 from memorymaze.robot.perception.camera_view import ObjectDescription, Wanted
 from memorymaze.robot.simulation.scene import Scene
+from memorymaze.robot.simulation.senses.coverings import CoveredPiece, covered_pieces
 from memorymaze.world.sites.records import Door, Landmark, Site
 from memorymaze.world.sites.scene_objects import Movable
 
@@ -92,17 +93,37 @@ class SightTargets:
 
 @lru_cache(maxsize=8)
 def sight_targets(scene: Scene) -> SightTargets:
-    """Return what there is to see of a site: its doors and landmarks."""
+    """Return what there is to see of a site: its doors, landmarks and floors."""
     geoms = [
         geom
         for geom, thing in enumerate(scene.objects)
         if isinstance(thing.record, Door | Landmark)
     ]
+    floors = [*covered_pieces(scene.site)]
+    floor = next(n for n, thing in enumerate(scene.objects) if thing.kind == "floor")
     return _targets(
-        scene,
-        geoms,
-        scene.model.geom_pos[geoms].reshape(-1, 3),
-        [_tiles(scene, geom) for geom in geoms],
+        [*geoms, *(floor for _ in floors)],
+        [
+            *(_describe(scene, geom) for geom in geoms),
+            *(each.description for each in floors),
+        ],
+        [*scene.model.geom_pos[geoms], *(each.centre for each in floors)],
+        [
+            *(_half_size(scene, geom) for geom in geoms),
+            *(each.half_size for each in floors),
+        ],
+        [*(_tiles(scene, geom) for geom in geoms), *map(_floor_tiles, floors)],
+    )
+
+
+def _floor_tiles(piece: CoveredPiece) -> "_Tiles":
+    count = len(piece.points)
+    east, north = np.diag([*piece.half_tile, 0.0])[:2]
+    return _Tiles(
+        piece.points,
+        np.tile([0.0, 0.0, 1.0], (count, 1)),
+        np.tile(np.stack([east, north]), (count, 1, 1)),
+        np.full(count, 4 * piece.half_tile.prod()),
     )
 
 
@@ -117,9 +138,10 @@ def movable_targets(
     distances = np.linalg.norm(data.geom_xpos[geoms].reshape(-1, 3) - eye, axis=1)
     near = [geom for geom, d in zip(geoms, distances, strict=True) if d <= reach]
     return _targets(
-        scene,
         near,
-        data.geom_xpos[near].reshape(-1, 3),
+        [_describe(scene, geom) for geom in near],
+        data.geom_xpos[near],
+        [_half_size(scene, geom) for geom in near],
         [
             _moved(tiles, data.geom_xmat[geom].reshape(3, 3), data.geom_xpos[geom])
             for geom in near
@@ -153,18 +175,18 @@ def _moved(tiles: "_Tiles", turn: FloatArray, place: FloatArray) -> "_Tiles":
 
 
 def _targets(
-    scene: Scene,
     geoms: Sequence[int],
-    centres: FloatArray,
+    descriptions: Sequence[ObjectDescription],
+    centres: Sequence[FloatArray] | FloatArray,
+    half_sizes: Sequence[FloatArray],
     tiles_of: "Sequence[_Tiles]",
 ) -> SightTargets:
     tiles = [_NO_TILES, *tiles_of]
-    sizes = np.array([_half_size(scene, geom) for geom in geoms]).reshape(-1, 3)
-    descriptions = tuple(_describe(scene, geom) for geom in geoms)
+    sizes = np.array(half_sizes).reshape(-1, 3)
     return SightTargets(
-        descriptions,
+        tuple(descriptions),
         np.array(geoms, dtype=np.int32),
-        centres,
+        np.array(centres).reshape(-1, 3),
         2 * sizes[:, :2].max(axis=1, initial=0.0),
         np.sqrt(np.square(sizes).sum(axis=1)),
         np.array([bool(each.text) for each in descriptions], dtype=np.bool_),
