@@ -15,7 +15,7 @@ from memorymaze.agents.guide.likelihoods import Likelihoods, untold_length
 from memorymaze.agents.guide.starts import starts_ahead
 from memorymaze.agents.guide.things import Things
 from memorymaze.agents.walking.floor_map import Crossing, FloorMap, Sighting, Stretch
-from memorymaze.language.plans import Arrival, Leg, RoutePlan, Turn
+from memorymaze.language.plans import Arrival, Leg, Mention, RoutePlan, Turn
 from memorymaze.language.reading import ANY_FLOOR, parse_route_description
 
 AHEAD, LEFT, RIGHT, BACK = 0.0, math.pi / 2, -math.pi / 2, math.pi
@@ -513,3 +513,56 @@ def test_a_way_in_a_circle_ends() -> None:
     assert not belief.frontiers
     lines = [visit.segment.line for visit in belief.visits]
     assert all(len(set(line)) >= len(line) - 1 for line in lines)
+
+
+def _on_floors(**cells: Sequence[float]) -> Grid:
+    """Walk a hall and see pieces of floor along it, at places in cells."""
+    grid = _hall(2)
+    grid.walk((0, 0), (1, 0), (2, 0), asked=frozenset({ANY_FLOOR, "brick floor"}))
+    places = [(name, x) for name, xs in cells.items() for x in xs]
+    for track, (name, x) in enumerate(places):
+        for phrase in (ANY_FLOOR, f"{name} floor"):
+            here = (STRETCH * x, 0.0)
+            grid.floor.note(
+                Sighting(phrase, phrase, 1.0, here, here, 1.9, track, (0, 0), "ahead")
+            )
+    return grid
+
+
+def _odds_of_the_second_left(grid: Grid) -> float:
+    brick = Mention("brick floor", place="along", kind="floor")
+    plan = RoutePlan(legs=(Leg(Turn("left"), mentions=(brick,)),))
+    shares = _shares(_believe(plan, grid))
+    return shares[grid.exit(2, 0, NORTH)] / shares[grid.exit(1, 0, NORTH)]
+
+
+def test_the_floor_told_of_a_leg_is_one_that_was_walked_on() -> None:
+    on_both = _odds_of_the_second_left(_on_floors(brick=(0.5, 1.5), grass=(2.1, 2.4)))
+    on_second = _odds_of_the_second_left(_on_floors(brick=(1.5,), grass=(0.5, 2.1)))
+    assert on_second > 1.5 * on_both
+
+
+def test_a_covering_that_is_nearly_everywhere_tells_less() -> None:
+    rare = _odds_of_the_second_left(_on_floors(brick=(1.5,), grass=(0.5, 2.1, 2.4)))
+    usual = _odds_of_the_second_left(_on_floors(brick=(1.5,)))
+    assert usual < rare
+
+
+def test_a_floor_that_may_be_the_one_told_tells_nothing() -> None:
+    grid = _on_floors(brick=(0.5, 1.5), grass=(2.1,))
+    before = _odds_of_the_second_left(grid)
+    unsure = _on_floors(grass=(0.5, 1.5, 2.1))
+    unsure.floor.note(
+        Sighting(
+            "brick floor",
+            "floor",
+            0.75,
+            (5.0, 0.0),
+            (5.0, 0.0),
+            1.9,
+            0,
+            (0, 0),
+            "ahead",
+        )
+    )
+    assert _odds_of_the_second_left(unsure) == pytest.approx(before, rel=0.01)

@@ -21,7 +21,9 @@ def _ways(plan: RoutePlan) -> str:
         ("glass corridor", None),
         ("vending machine hall", None),
         ("wooden chair", None),
-        ("carpet", None),
+        ("carpet", "carpet floor"),
+        ("tiled corridor", "tile floor"),
+        ("carpet shop", None),
     ],
 )
 def test_ways_are_known_by_their_floors(words: str, look: str | None) -> None:

@@ -88,6 +88,8 @@ class Likelihoods:
     """That the side of a thing is told rightly."""
     mistaken: float = 0.04
     """That a turn hangs on a thing that is not there (an error)."""
+    floor_right: float = 0.9
+    """That the covering of a floor is told rightly."""
     common_rate: float = 0.08
     """Things per metre of a kind that is everywhere, before any is counted."""
     rare_rate: float = 0.004

@@ -14,6 +14,7 @@ from memorymaze.agents.guide.likelihoods import (
     then,
 )
 from memorymaze.agents.walking.floor_map import (
+    SURE,
     SURELY_AT,
     FloorMap,
     Point,
@@ -31,7 +32,7 @@ from memorymaze.agents.walking.outlooks import (
 )
 from memorymaze.basics.geometry.pose import wrap_angle
 from memorymaze.language.plans import Mention, RoutePlan, Side
-from memorymaze.language.reading import is_common, is_floor
+from memorymaze.language.reading import ANY_FLOOR, is_common, is_floor
 
 AT_THE_TURN = frozenset({"turn", "beside", "opposite", "before_turn", "after_turn"})
 UNSEEN = frozenset({"sound", "smell", "person", "wall"})
@@ -44,10 +45,14 @@ NOT_BEYOND = 1.5
 """Metres beyond the end of a way at which a thing still counts as passed."""
 ON_THE_WAY = 0.5
 """Share of its weight that something unseen has which is told beside the way."""
-THIS_FLOOR, OTHER_FLOOR = 3.3, 0.08
-"""Weights of a place that has the floor told of it, and of one that has another."""
 NO_WAY = 0.25
 """Weight of a place that has no such floor on the side where it was told."""
+ON_FLOOR = 1.0
+"""Metres from the line of a stretch within which a piece of floor is walked on."""
+MOST_OF_A_FLOOR = 0.95
+"""Share of a building's floor that one covering has at most."""
+FLOORS_THERE_ARE = 3
+"""Coverings that a building has, before any was seen."""
 ONE_PLACE = 4.0
 """Metres within which what bears a name is one place."""
 _SIDES = {"left": math.pi / 2, "right": -math.pi / 2, "ahead": 0.0}
@@ -134,10 +139,7 @@ class Things:
             at = self._floor.crossing_near(place)
         for mention in self._mentions[number]:
             if is_floor(mention.phrase):
-                ratio = self._floor_on_side(mention, at, line)
-                if ratio is None:
-                    ratio = self._floor_ratio(mention, at)
-                weights = weights * ratio
+                weights = weights * self._floor_ratio(mention, at, line, asked)
                 continue
             at_turn = mention.place in AT_THE_TURN
             if at_turn:
@@ -154,19 +156,50 @@ class Things:
                     weights = weights * (unseen**ON_THE_WAY).of_all
         return weights
 
-    def _floor_ratio(self, mention: Mention, at: int | None) -> float:
-        """Weigh a floor that is told of a place against those of the ways out of it.
+    def _floor_ratio(
+        self,
+        mention: Mention,
+        at: int | None,
+        line: tuple[Point, ...],
+        asked: frozenset[str],
+    ) -> float:
+        """Weigh a floor that is told of a leg which ends at a place.
 
-        The way that led there is one of them.
+        At a turn any way out may have it, the way that led there too; else the leg has.
         """
-        if at is None:
+        on_side = self._floor_on_side(mention, at, line)
+        if on_side is not None:
+            return on_side
+        if mention.place in AT_THE_TURN:
+            if at is None:
+                return 1.0
+            has_floor = crossing_has_floor(mention.phrase, self._floor, at)
+            return self._floor_fits(mention.phrase, has_floor)
+        walked_on = self._is_walked_on(mention.phrase, line)
+        seen = walked_on or (len(line) > 1 and mention.phrase in asked)
+        return self._floor_fits(mention.phrase, walked_on if seen else None)
+
+    def _floor_fits(self, phrase: str, has_floor: bool | None) -> float:
+        """Weigh that a way has a floor told of it, or has another; None is not known.
+
+        By how much of the floor that was seen in this building is so.
+        """
+        seen = self._floor.seen(phrase)
+        surely = sum(each.score >= SURE for each in seen)
+        # What may be it or not tells nothing.
+        if has_floor is None or (not has_floor and surely < len(seen)):
             return 1.0
-        has_floor = crossing_has_floor(mention.phrase, self._floor, at)
-        if has_floor is None:
-            return 1.0
-        ratio = THIS_FLOOR if has_floor else OTHER_FLOOR
-        here = mention.place in AT_THE_TURN or mention.place == "target"
-        return ratio if here else math.sqrt(ratio)
+        share = (surely + 1) / (len(self._floor.seen(ANY_FLOOR)) + FLOORS_THERE_ARE)
+        share = min(share, MOST_OF_A_FLOOR)
+        right = self._model.floor_right
+        return right / share if has_floor else (1 - right) / (1 - share)
+
+    def _is_walked_on(self, phrase: str, line: tuple[Point, ...]) -> bool:
+        """Tell whether a piece of a floor lies on a line walked."""
+        return len(line) > 1 and any(
+            each.score >= SURE and distance_to_line(each.place, line) <= ON_FLOOR
+            for each in self._met_along(phrase, line)
+        )
 
     def _floor_on_side(
         self, mention: Mention, at: int | None, line: tuple[Point, ...]
@@ -183,37 +216,60 @@ class Things:
         exit = crossing.find_exit(wrap_angle(came + side))
         if exit is None:
             return NO_WAY
-        view = self._floor.views.get((at, exit))
-        if view is None or mention.phrase not in view.asked:
+        has_floor = self._way_has_floor(mention.phrase, at, exit)
+        if has_floor is None:
             return None
-        return THIS_FLOOR if view.has_floor(mention.phrase) else NO_WAY
+        return max(self._floor_fits(mention.phrase, has_floor), NO_WAY)
+
+    def _way_has_floor(self, phrase: str, at: int, exit: int) -> bool | None:
+        """Tell whether a way out has a floor; None where one did not look or cannot tell."""
+        view = self._floor.views.get((at, exit))
+        if view is None or view.floor is None or phrase not in view.asked:
+            return None
+        return view.has_floor(phrase)
 
     def floors_ahead(self, number: int, at: int, exit: int) -> float:
-        """Weigh the floors told of a place down a way against that of the way itself."""
-        view = self._floor.views.get((at, exit))
-        ratio = 1.0
-        for mention in self._mentions[number]:
-            if is_floor(mention.phrase) and view and mention.phrase in view.asked:
-                fits = view.has_floor(mention.phrase)
-                ratio *= math.sqrt(THIS_FLOOR if fits else OTHER_FLOOR)
-        return ratio
+        """Weigh the floors told of a stretch against that of a way that it ends on."""
+        floors = (e for e in self._mentions[number] if is_floor(e.phrase))
+        return math.prod(self._floor_ahead(each, at, exit) for each in floors)
+
+    def _floor_ahead(
+        self, mention: Mention, at: int, exit: int, *, begins: bool = False
+    ) -> float:
+        """Weigh a floor told of a stretch against that of the way on, or of its beginning.
+
+        It may be farther on, unless it is what the turn before leads to.
+        """
+        has_floor = self._way_has_floor(mention.phrase, at, exit)
+        fits = self._floor_fits(mention.phrase, has_floor)
+        is_here = begins and mention.place == "target"
+        return fits if has_floor or is_here else math.sqrt(fits)
 
     def so_far(self, number: int, line: tuple[Point, ...]) -> Weights:
         """Weigh the things of a leg that goes on which were met on it already."""
-        ratio = NOTHING
+        ratio, floors = NOTHING, 1.0
         for mention in self._mentions[number]:
-            if mention.place not in AT_THE_TURN and not is_floor(mention.phrase):
+            if mention.place in AT_THE_TURN:
+                continue
+            if not is_floor(mention.phrase):
                 ratio *= _weaker(self._seen_along(mention, line) or NOTHING, mention)
-        return ratio.of_all
+            elif self._is_walked_on(mention.phrase, line):
+                floors *= self._floor_fits(mention.phrase, True)
+        return ratio.of_all * floors
 
     def ahead(
         self, number: int, line: tuple[Point, ...], at: int, exit: int
     ) -> Weights:
         """Weigh the things of a leg that are in sight along a way not walked yet."""
         crossing = self._floor.crossings[at]
-        ratio = NOTHING
+        ratio, floors = NOTHING, 1.0
         for mention in self._mentions[number]:
             if is_floor(mention.phrase):
+                if mention.place in AT_THE_TURN:
+                    continue
+                if not self._is_walked_on(mention.phrase, line):
+                    begins = len(line) < 2
+                    floors *= self._floor_ahead(mention, at, exit, begins=begins)
                 continue
             ahead = self._floor.seen_ahead(mention.phrase, at, crossing.exits[exit])
             if not ahead:
@@ -227,7 +283,7 @@ class Things:
                     self._model, rate, reach, self._detected() * nearest.score
                 )
                 ratio *= _weaker(seen, mention)
-        return ratio.of_all
+        return ratio.of_all * floors
 
     def _seen_at(
         self, mention: Mention, place: Point, line: tuple[Point, ...], at: int | None

@@ -21,6 +21,8 @@ ALONG = math.radians(30)
 """What lies within this angle of a way lies along it."""
 SURE = 0.8
 """Score from which on a floor is surely the one that was asked for."""
+BEYOND_RIM = 1.0
+"""Metres beyond the rim of a crossing within which the floor of a way begins."""
 SEES_FAR = 6.0
 """Metres; who has seen something so far away sees far."""
 AT_CROSSING = 2.5
@@ -99,6 +101,8 @@ class _View:
     """What was looked for."""
     distances: dict[str, float] = field(default_factory=dict[str, float])
     """Metres to the nearest of what was found, by what was looked for."""
+    rim: float = 0.0
+    """Metres from who looks to the rim of the crossing."""
 
     @property
     def floor(self) -> float | None:
@@ -108,7 +112,9 @@ class _View:
     def has_floor(self, phrase: str) -> bool:
         """Tell whether the covering of the way itself, not of one behind it, fits."""
         floor, found = self.floor, self.distances.get(phrase)
-        return floor is not None and found is not None and found <= floor + 0.6
+        if floor is None or found is None:
+            return False
+        return found <= max(floor + 0.6, self.rim + BEYOND_RIM)
 
 
 @dataclass
@@ -220,6 +226,7 @@ class FloorMap:
         """Keep what was seen along a way by someone who faces it in its crossing."""
         view = self.views.setdefault((crossing, exit), _View())
         view.asked.update(asked)
+        view.rim = self.rim_of(crossing)
         for each in seen:
             if abs(each.bearing) > ALONG or (
                 is_floor(each.phrase) and each.score < SURE

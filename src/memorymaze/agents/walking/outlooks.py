@@ -7,7 +7,7 @@ start.
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from memorymaze.agents.walking.floor_map import SEES_FAR, FloorMap
 from memorymaze.basics.geometry.pose import wrap_angle
@@ -116,14 +116,23 @@ def _is_outlook(mention: Mention) -> bool:
 def things_on(plan: RoutePlan, leg: int) -> tuple[Mention, ...]:
     """Return the things on a stretch and at its turn, without what is an outlook.
 
-    What the turn before leads to is on the stretch.
+    What the turn before leads to is on the stretch, as is the floor after it.
     """
     entered = plan.legs[leg - 1].mentions if leg else ()
     part = plan.legs[leg] if leg < len(plan.legs) else plan.arrival
     return (
-        *(each for each in entered if each.place == "target" and _is_thing(each)),
-        *(each for each in part.mentions if each.place != "target" and _is_thing(each)),
+        *(
+            replace(each, place="target")
+            for each in entered
+            if _is_led_to(each) and _is_thing(each)
+        ),
+        *(each for each in part.mentions if not _is_led_to(each) and _is_thing(each)),
     )
+
+
+def _is_led_to(mention: Mention) -> bool:
+    of_floor = mention.place == "after_turn" and is_floor(mention.phrase)
+    return mention.place == "target" or of_floor
 
 
 def _is_thing(mention: Mention) -> bool:

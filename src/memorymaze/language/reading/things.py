@@ -26,7 +26,8 @@ ANY_FLOOR = "floor"
 """What to look for to learn whether coverings can be told at all."""
 
 _FLOOR = re.compile(
-    r"(?:floors?|flooring|floored|carpet|carpets|carpeting|carpeted|tiles?|tiled)$"
+    r"(?:floors?|flooring|floored|carpet|carpets|carpeting|carpeted|tiles?|tiled"
+    r"|lino|linoleum)$"
 )
 _WAY = re.compile(
     r"(?:halls?|hallways?|paths?|alleys?|aisles?|roads?|streets?|corridors?|areas?"
