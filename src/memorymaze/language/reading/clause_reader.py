@@ -31,6 +31,7 @@ from memorymaze.language.reading.things import (
     thing_phrase,
     wall_phrase,
 )
+from memorymaze.language.reading.vocabulary import PLAIN_FLOORS
 
 _AT_IT = re.compile(r"(?:at|in|when|where|once|the|far|very|its|by)\b")
 _AHEAD = re.compile(r"(?:straight |dead |right )?(?:ahead|(?:in )?front)\b")
@@ -343,13 +344,14 @@ class ClauseReader:
         phrase = look or thing_phrase(words)
         if not phrase:
             return
-        relation = self._relation(at, is_look=look is not None)
+        is_look = look is not None and look not in PLAIN_FLOORS
+        relation = self._relation(at, is_look=is_look)
         if self._facing:
             self._add(ClauseEvent("ahead", phrase=phrase, turns=True))
             return
-        if look is not None and self._is_way(at, relation):
+        if is_look and self._is_way(at, relation):
             takes = clause.chunks[at - 1].kind == "T" if at else False
-            self._add(ClauseEvent("ahead", phrase=look, turns=takes, walks=True))
+            self._add(ClauseEvent("ahead", phrase=phrase, turns=takes, walks=True))
             return
         if clause.kind_before(at) == "A" and _TOWARDS.match(clause.chunks[at - 1].text):
             self._add(ClauseEvent("ahead", phrase=phrase, walks=True))

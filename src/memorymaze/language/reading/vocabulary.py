@@ -91,6 +91,9 @@ KINDS_OF_THINGS: Mapping[str, Kind] = {
 }
 """What a thing is, by the head noun of its name."""
 FLOOR_WORDS = tuple(
-    (re.compile(rf"\b(?:{words})\b"), look) for words, look in _words["floors"]
+    (re.compile(rf"\b(?:{words})\b"), look)
+    for words, look in [*_words["floors"], *_words["coverings"]]
 )
 """Words that describe a floor, those that tell most first, and what to look for."""
+PLAIN_FLOORS = frozenset(look for _, look in _words["coverings"])
+"""Floors by which nobody tells a way: one walks on them, and does not turn to them."""
