@@ -265,9 +265,8 @@ class Things:
         ratio, floors = NOTHING, 1.0
         for mention in self._mentions[number]:
             if is_floor(mention.phrase):
-                if mention.place in AT_THE_TURN:
-                    continue
-                if not self._is_walked_on(mention.phrase, line):
+                at_turn = mention.place in AT_THE_TURN
+                if not (at_turn or self._is_walked_on(mention.phrase, line)):
                     begins = len(line) < 2
                     floors *= self._floor_ahead(mention, at, exit, begins=begins)
                 continue

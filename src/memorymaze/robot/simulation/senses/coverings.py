@@ -8,6 +8,7 @@ import numpy as np
 from shapely import Polygon, contains_xy
 
 from memorymaze.basics.geometry.points import FloatArray
+from memorymaze.basics.geometry.pose import heading_to
 from memorymaze.robot.perception.camera_view import ObjectDescription
 from memorymaze.world.sites.floor_surfaces import cut_up, surface_pieces
 from memorymaze.world.sites.records import Corridor, Site
@@ -41,14 +42,16 @@ def covered_pieces(site: Site) -> Iterator[CoveredPiece]:
 
     Where a landmark lies that is a covering itself, that is seen.
     """
-    laid = [each.footprint for each in site.landmarks if _is_covering(each.category)]
+    laid = [
+        each.footprint for each in site.landmarks if each.category.endswith(" floor")
+    ]
     for _, source, polygon in surface_pieces(site):
         if any(polygon.intersects(each) for each in laid):
             continue
         described, heading = describe_covering(source.floor_material), 0.0
         if isinstance(source, Corridor):
             (ax, ay), (bx, by) = source.centre_line.coords
-            heading = math.atan2(by - ay, bx - ax)
+            heading = heading_to((ax, ay), (bx, by))
         for piece in cut_up(polygon, PIECE, heading, (0.0, 0.0)):
             yield _piece(described, piece)
 
@@ -58,10 +61,6 @@ def describe_covering(material: str) -> ObjectDescription:
     return ObjectDescription(
         f"{material} floor", material=material, name=_CALLED.get(material)
     )
-
-
-def _is_covering(category: str) -> bool:
-    return category.endswith(" floor")
 
 
 def is_floor_piece(description: ObjectDescription) -> bool:
