@@ -305,6 +305,63 @@ def test_that_nothing_told_is_right_is_always_possible() -> None:
         assert 0 < lost.weights.sum() <= frontier.mass
 
 
+# -- no way told
+
+
+def test_where_only_the_place_is_told_all_ways_are_alike_and_none_is_an_error() -> None:
+    grid = _hall(2)
+    told = _believe("Walk 30 metres to the piano.", grid)
+    assert _shares(told)[grid.exit(2, 0, EAST)] > 0.9
+    belief = _believe("The piano, near the kiosk.", grid)
+    shares = _shares(belief)
+    assert _best(belief) == grid.exit(2, 0, EAST)
+    assert max(shares.values()) < 2 * min(shares.values())
+    doubts = [each.best.slips for each in belief.frontiers.values()]
+    assert not any(doubts)
+
+
+def test_a_search_follows_each_hall_from_where_it_begins() -> None:
+    cells: dict[Cell, Sequence[float]] = {
+        (0, 0): (EAST,),
+        (1, 0): (NORTH, SOUTH, WEST),
+        (1, 1): ALL_SIDES,
+        (1, 2): (SOUTH,),
+        (1, -1): (NORTH,),
+    }
+    grid = Grid(cells).walk((0, 0), (1, 0), (1, 1), (1, 2)).walk((1, 0), (1, -1))
+    belief = _believe("The piano, near the kiosk.", grid)
+    ends = {
+        (visit.segment.passed[0], visit.segment.at): visit.segment.walked
+        for visit in belief.visits
+        if visit.segment.lost and visit.stretch is None
+    }
+    assert ends[grid.at(1, -1), grid.at(1, 2)] == 3 * STRETCH
+    assert ends[grid.at(1, 2), grid.at(1, -1)] == 3 * STRETCH
+    assert (grid.at(0, 0), grid.at(1, 2)) not in ends
+
+
+def test_a_ring_of_halls_is_searched_as_well() -> None:
+    around: list[Cell] = [
+        (1, 0),
+        (2, 1),
+        (2, 2),
+        (1, 3),
+        (0, 3),
+        (-1, 2),
+        (-1, 1),
+        (0, 0),
+    ]
+    eighths = [number * math.pi / 4 for number in range(8)]
+    grid = Grid(dict.fromkeys([(0, 0), *around], eighths)).walk(*around, around[0])
+    belief = _believe("The piano, near the kiosk.", grid)
+    walked = {
+        (visit.stretch.start, visit.stretch.end)
+        for visit in belief.visits
+        if visit.segment.lost and visit.stretch is not None
+    }
+    assert {(grid.at(*a), grid.at(*b)) for a, b in pairwise(around)} <= walked
+
+
 def _fork(*, dead_end: bool) -> tuple[Grid, str]:
     """Return a T of which the way told was walked, to a crossing or to a dead end."""
     cells: dict[Cell, Sequence[float]] = {

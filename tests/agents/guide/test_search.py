@@ -80,6 +80,23 @@ def test_a_corner_that_was_not_told_is_taken_where_there_is_no_choice(
     assert take_walk("l_shape", text).ends_near(11, 6)
 
 
+@pytest.mark.parametrize(
+    ("start", "text", "goal"),
+    [
+        ("crossing", "It is the kitchen.", (0, 11)),
+        ("t_junction", "You want the clock, not far from the lift.", (-4, 0)),
+        ("loop", "The drinking fountain, that is beside the plant.", (6, 13)),
+    ],
+)
+def test_where_no_way_is_told_it_looks_for_the_place(
+    take_walk: TakeWalk, start: str, text: str, goal: tuple[float, float]
+) -> None:
+    walk = take_walk(start, text)
+    assert walk.ends_near(*goal)
+    assert walk.notes("arrival")
+    assert all(note["score"] < 0.5 for note in walk.notes("doubt"))
+
+
 # -- what was told wrongly
 
 WRONG_SIDE = (

@@ -62,7 +62,7 @@ class Segment(NamedTuple):
     slips: tuple[Slip, ...] = ()
     """The errors it believes in; of the heaviest alignment."""
     lost: bool = False
-    """It takes all that was told of the way for wrong."""
+    """It goes by nothing that was told of the way."""
     turns: tuple[tuple[int, int], ...] = ()
     """Leg and crossing of each turn; of the heaviest alignment."""
     telling: int = 0

@@ -73,6 +73,7 @@ class Belief:
     def __post_init__(self) -> None:
         """Hold what was said of the legs together."""
         self._said = SaidOfLegs(self.plan, self.model, self.things)
+        self._untold = self.model.way_untold if self.plan.tells_place_alone else 0.0
 
     def update(self, starts: list[AssumedStart]) -> None:
         """Sum all alignments anew, from all ways to begin.
@@ -108,7 +109,7 @@ class Belief:
         ]
         speakers = self.model.speakers
         for at, heading, exit, chance, walked in starts:
-            weights = speakers * chance
+            weights = speakers * (chance * (1 - self._untold))
             slips: tuple[Slip, ...] = ()
             place = self.floor.crossings[at].place
             if chance <= self.model.wrong_start + 1e-9 and len(starts) > 1:
@@ -145,32 +146,61 @@ class Belief:
         )
 
     def _add_lost(self, chance: float) -> None:
-        """Believe a little that nothing of the way told is right: then any way may do."""
+        """Believe that any way may do: a little, since all that was told may be wrong.
+
+        And mostly so where no way was told, but the place alone.
+        """
         ways = [
-            (crossing, exit)
-            for crossing in self.floor.crossings.values()
+            (number, exit)
+            for number, crossing in self.floor.crossings.items()
             for exit in range(len(crossing.exits))
             if exit not in crossing.closed
         ]
-        share = self.model.speakers[0] * self.model.lost * chance / max(len(ways), 1)
-        weights = np.stack([np.zeros_like(share), share])
-        for crossing, exit in ways:
+        share = self.model.speakers[0] * chance / max(len(ways), 1)
+        weights = np.stack([share * self._untold, share * self.model.lost])
+        story = "no way was told" if self._untold else "nothing that was told fits"
+        further = set(map(self._straight_on, self.floor.stretches.values()))
+        searched: set[tuple[int, int]] = set()
+        # A hall is searched as one, from where it begins.
+        for number, exit in sorted(ways, key=lambda way: way in further):
+            if (number, exit) in searched:
+                continue
+            crossing, legs = self.floor.crossings[number], len(self.plan.legs)
             segment = Segment(
-                crossing.number,
+                number,
                 crossing.exits[exit],
-                len(self.plan.legs),
+                legs,
                 weights,
                 line=(crossing.place,),
-                story=("nothing that was told fits",),
-                slips=(Slip("lost", len(self.plan.legs), crossing.number),),
+                passed=(number,),
+                story=(story,),
+                slips=() if self._untold else (Slip("lost", legs, number),),
                 lost=True,
                 telling=self.telling,
             )
-            stretch = self.floor.stretches.get((crossing.number, exit))
-            if stretch is not None:
-                self.visits.append(Visit(segment, stretch))
-                continue
-            self._reach(segment, exit, weights)
+            searched.update(self._search(segment, exit))
+
+    def _straight_on(self, stretch: Stretch) -> tuple[int, int] | None:
+        """Return the way that goes on where a stretch ends; None where none does."""
+        ahead = self._choices(stretch.end, stretch.arrival).forward
+        return None if ahead is None else (stretch.end, ahead[0])
+
+    def _search(self, segment: Segment, exit: int) -> Iterator[tuple[int, int]]:
+        """Let an alignment end anywhere on a way and straight on; yield the ways."""
+        way: tuple[int, int] | None = segment.at, exit
+        while way is not None:
+            yield way
+            stretch = self.floor.stretches.get(way)
+            if stretch is None:
+                if way[1] not in self.floor.crossings[segment.at].closed:
+                    self._reach(segment, way[1], self._said.to_come(segment, way[1]))
+                return
+            self.visits.append(Visit(segment, stretch))
+            if stretch.end in segment.passed:
+                return
+            segment = self._after(segment, stretch)
+            self.visits.append(Visit(segment, None))
+            way = self._straight_on(stretch)
 
     def _reach(self, segment: Segment, exit: int, weights: Weights) -> None:
         """Let an alignment lead into a way that was not walked yet."""

@@ -72,6 +72,7 @@ class Choice:
         self._walker = walker
         self._goes_back = goes_back
         self._told = max(map(expected_metres, plans))
+        self._searches = all(each.tells_place_alone for each in plans)
         self._limit = max(map(_walk_limit, plans))
 
     def update(self) -> None:
@@ -81,6 +82,7 @@ class Choice:
 
     def walk_on_for(self, plan: RoutePlan) -> None:
         """Allow for the metres of a way that was told on the way."""
+        self._searches = self._searches and plan.tells_place_alone
         self._limit = max(self._limit, self._walker.travelled + _walk_limit(plan))
 
     def value(self, choice: Frontier | Ending) -> float:
@@ -108,12 +110,15 @@ class Choice:
             enough = self.patience.unseen
         elif ending.sighting is None and not self._tellings.is_told:
             enough = self.patience.untold
-        if (
-            chance < enough
-            and frontier.mass >= self.patience.hope * self._tellings.total
-        ):
+        if chance < enough and self._is_hope(frontier):
             return False
         return self.value(ending) >= self.value(frontier)
+
+    def _is_hope(self, frontier: Frontier) -> bool:
+        """Tell whether the best way on is worth walking, or in a search all that are left."""
+        ways = self._tellings.frontiers.values() if self._searches else [frontier]
+        left = sum(each.mass for each in ways)
+        return left >= self.patience.hope * self._tellings.total
 
     def _misses_name(self, ending: Ending) -> bool:
         """Tell whether a name was told that is met once, and nothing of it was seen."""
@@ -159,14 +164,16 @@ class Choice:
         """Tell whether after one more stretch there is no time to come back.
 
         There is time for a small multiple of the way told; if a place seen already is the
-        one, the way told is the way to it.
+        one, the way told is the way to it, if one was told.
         """
         back, limit = 0.0, self._limit * PATIENCE
         if ending is not None and self.claims(ending):
             back = self._distances.get(ending.at, math.inf) + ending.distance
             begun = self._tellings.all[0].starts[0].at
             way = self._walker.map.distances_from(begun).get(ending.at)
-            if way is not None:
+            if self._searches:
+                limit = self._limit
+            elif way is not None:
                 told = SURELY_TOLD * self._told
                 enough = WAYS * max(way + ending.distance, told)
                 limit = min(limit, max(enough, SHORT_WALK))

@@ -52,6 +52,8 @@ class Likelihoods:
     """That the way begins in another direction (an error)."""
     lost: float = 0.01
     """That nothing is right that is said of the way (an error)."""
+    way_untold: float = 0.9
+    """That who tells nothing but the place does not mean straight on."""
     again: float = 2.0
     """How much likelier an error is once there was one (a factor)."""
     # -- lengths

@@ -224,3 +224,19 @@ class RoutePlan:
     legs: Annotated[tuple[Leg, ...], Field(max_length=MOST_LEGS)] = ()
     arrival: Arrival = Arrival()
     totals: Totals = Totals()
+
+    @property
+    def tells_place_alone(self) -> bool:
+        """Whether it tells what the place is or what is there, and nothing of the way."""
+        arrival = self.arrival
+        place = Arrival(
+            arrival.destinations,
+            mentions=arrival.mentions,
+            too_far=arrival.too_far,
+            wrong_way=arrival.wrong_way,
+            doubt=arrival.doubt,
+            unclear=arrival.unclear,
+            unclear_names=arrival.unclear_names,
+        )
+        is_told = bool(place.destinations or place.mentions)
+        return is_told and self == RoutePlan(arrival=place)
