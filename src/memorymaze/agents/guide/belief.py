@@ -150,57 +150,57 @@ class Belief:
 
         And mostly so where no way was told, but the place alone.
         """
-        ways = [
-            (number, exit)
-            for number, crossing in self.floor.crossings.items()
-            for exit in range(len(crossing.exits))
-            if exit not in crossing.closed
-        ]
-        share = self.model.speakers[0] * chance / max(len(ways), 1)
+        halls, legs = [*self._halls()], len(self.plan.legs)
+        share = self.model.speakers[0] * chance / max(sum(map(len, halls)), 1)
         weights = np.stack([share * self._untold, share * self.model.lost])
         story = "no way was told" if self._untold else "nothing that was told fits"
-        further = set(map(self._straight_on, self.floor.stretches.values()))
-        searched: set[tuple[int, int]] = set()
-        # A hall is searched as one, from where it begins.
-        for number, exit in sorted(ways, key=lambda way: way in further):
-            if (number, exit) in searched:
-                continue
-            crossing, legs = self.floor.crossings[number], len(self.plan.legs)
+        for hall in halls:
+            at, exit = hall[0]
+            crossing = self.floor.crossings[at]
             segment = Segment(
-                number,
+                at,
                 crossing.exits[exit],
                 legs,
                 weights,
                 line=(crossing.place,),
-                passed=(number,),
                 story=(story,),
-                slips=() if self._untold else (Slip("lost", legs, number),),
+                slips=() if self._untold else (Slip("lost", legs, at),),
                 lost=True,
                 telling=self.telling,
             )
-            searched.update(self._search(segment, exit))
+            for _, exit in hall:
+                stretch = self.floor.stretches.get((segment.at, exit))
+                if stretch is None:
+                    self._reach(segment, exit, self._said.to_come(segment, exit))
+                    continue
+                self.visits.append(Visit(segment, stretch))
+                segment = self._after(segment, stretch)
+                self.visits.append(Visit(segment, None))
 
-    def _straight_on(self, stretch: Stretch) -> tuple[int, int] | None:
-        """Return the way that goes on where a stretch ends; None where none does."""
-        ahead = self._choices(stretch.end, stretch.arrival).forward
-        return None if ahead is None else (stretch.end, ahead[0])
-
-    def _search(self, segment: Segment, exit: int) -> Iterator[tuple[int, int]]:
-        """Let an alignment end anywhere on a way and straight on; yield the ways."""
-        way: tuple[int, int] | None = segment.at, exit
-        while way is not None:
-            yield way
-            stretch = self.floor.stretches.get(way)
-            if stretch is None:
-                if way[1] not in self.floor.crossings[segment.at].closed:
-                    self._reach(segment, way[1], self._said.to_come(segment, way[1]))
-                return
-            self.visits.append(Visit(segment, stretch))
-            if stretch.end in segment.passed:
-                return
-            segment = self._after(segment, stretch)
-            self.visits.append(Visit(segment, None))
-            way = self._straight_on(stretch)
+    def _halls(self) -> Iterator[list[tuple[int, int]]]:
+        """Yield the ways out of all crossings, those straight on from one with it."""
+        further: dict[tuple[int, int], tuple[int, int]] = {}
+        for way, stretch in self.floor.stretches.items():
+            ahead = self._choices(stretch.end, stretch.arrival).forward
+            if ahead is not None:
+                further[way] = stretch.end, ahead[0]
+        left = dict.fromkeys(
+            (number, exit)
+            for number, crossing in self.floor.crossings.items()
+            for exit in range(len(crossing.exits))
+            if exit not in crossing.closed
+        )
+        led_to = set(further.values())
+        # Where halls are a ring none begins anywhere.
+        for begin in sorted(left, key=led_to.__contains__):
+            hall: list[tuple[int, int]] = []
+            way: tuple[int, int] | None = begin
+            while way in left:
+                hall.append(way)
+                del left[way]
+                way = further.get(way)
+            if hall:
+                yield hall
 
     def _reach(self, segment: Segment, exit: int, weights: Weights) -> None:
         """Let an alignment lead into a way that was not walked yet."""
