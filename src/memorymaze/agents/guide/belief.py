@@ -139,11 +139,14 @@ class Belief:
 
     def _knows_all_ways(self) -> bool:
         """Tell whether there is no way left that a lighter alignment could lead to."""
-        return all(
-            exit in crossing.closed or (number, exit) in self.floor.stretches
-            for number, crossing in self.floor.crossings.items()
-            for exit in range(len(crossing.exits))
-        )
+        return all(way in self.floor.stretches for way in self._ways_out())
+
+    def _ways_out(self) -> Iterator[tuple[int, int]]:
+        """Yield the ways out of all crossings: number, exit."""
+        for number, crossing in self.floor.crossings.items():
+            for exit in range(len(crossing.exits)):
+                if exit not in crossing.closed:
+                    yield number, exit
 
     def _add_lost(self, chance: float) -> None:
         """Believe that any way may do: a little, since all that was told may be wrong.
@@ -178,18 +181,13 @@ class Belief:
                 self.visits.append(Visit(segment, None))
 
     def _halls(self) -> Iterator[list[tuple[int, int]]]:
-        """Yield the ways out of all crossings, those straight on from one with it."""
+        """Yield all ways out, those straight on from one together with it."""
         further: dict[tuple[int, int], tuple[int, int]] = {}
         for way, stretch in self.floor.stretches.items():
             ahead = self._choices(stretch.end, stretch.arrival).forward
             if ahead is not None:
                 further[way] = stretch.end, ahead[0]
-        left = dict.fromkeys(
-            (number, exit)
-            for number, crossing in self.floor.crossings.items()
-            for exit in range(len(crossing.exits))
-            if exit not in crossing.closed
-        )
+        left = dict.fromkeys(self._ways_out())
         led_to = set(further.values())
         # Where halls are a ring none begins anywhere.
         for begin in sorted(left, key=led_to.__contains__):
