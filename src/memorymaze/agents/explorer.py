@@ -125,21 +125,19 @@ def untried_ways(walker: Walker, rng: np.random.Generator) -> Iterator[tuple[int
     Of the ways at a crossing one is drawn by lot: on a handful of routes any fixed order
     would be a lucky or an unlucky one. Only what lies behind the robot comes last.
     """
+    crossings = walker.map.crossings
     while True:
         away = walker.map.distances_from(walker.at)
         ways = [
             (
                 away[number],
-                abs(wrap_angle(heading - walker.heading)) >= BACK,
+                abs(wrap_angle(crossings[number].exits[exit] - walker.heading)) >= BACK,
                 rng.random(),
                 number,
                 exit,
             )
-            for number, crossing in walker.map.crossings.items()
-            for exit, heading in enumerate(crossing.exits)
-            if number in away
-            and exit not in crossing.closed
-            and (number, exit) not in walker.map.stretches
+            for number, exit in walker.map.ways_out()
+            if number in away and (number, exit) not in walker.map.stretches
         ]
         if not ways:
             return

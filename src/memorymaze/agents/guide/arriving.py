@@ -114,7 +114,6 @@ class Arrivals:
         self._plan = plan
         self._arrival = plan.arrival
         self._legs = len(plan.legs)
-        self._place_alone_is_told = plan.tells_place_alone
         self._floor = floor
         self._model = model
         self._things = things
@@ -314,9 +313,6 @@ class Arrivals:
     def _at_crossing(self, visit: Visit) -> Iterator[Ending]:
         arrival, model, segment = self._arrival, self._model, visit.segment
         if not segment.walked and not arrival.on_the_spot:
-            return
-        # Where all that was told of the way is wrong, seeing the place alone tells it.
-        if segment.lost and not self._place_alone_is_told:
             return
         crossing = self._floor.crossings[segment.at]
         choices = choices_at(crossing.exits, crossing.closed, segment.heading)

@@ -139,14 +139,7 @@ class Belief:
 
     def _knows_all_ways(self) -> bool:
         """Tell whether there is no way left that a lighter alignment could lead to."""
-        return all(way in self.floor.stretches for way in self._ways_out())
-
-    def _ways_out(self) -> Iterator[tuple[int, int]]:
-        """Yield the ways out of all crossings: number, exit."""
-        for number, crossing in self.floor.crossings.items():
-            for exit in range(len(crossing.exits)):
-                if exit not in crossing.closed:
-                    yield number, exit
+        return all(way in self.floor.stretches for way in self.floor.ways_out())
 
     def _add_lost(self, chance: float) -> None:
         """Believe that any way may do: a little, since all that was told may be wrong.
@@ -178,7 +171,9 @@ class Belief:
                     continue
                 self.visits.append(Visit(segment, stretch))
                 segment = self._after(segment, stretch)
-                self.visits.append(Visit(segment, None))
+                # Where all that was told may be wrong, seeing the place alone tells it.
+                if self._untold:
+                    self.visits.append(Visit(segment, None))
 
     def _halls(self) -> Iterator[list[tuple[int, int]]]:
         """Yield all ways out, those straight on from one together with it."""
@@ -187,7 +182,7 @@ class Belief:
             ahead = self._choices(stretch.end, stretch.arrival).forward
             if ahead is not None:
                 further[way] = stretch.end, ahead[0]
-        left = dict.fromkeys(self._ways_out())
+        left = dict.fromkeys(self.floor.ways_out())
         led_to = set(further.values())
         # Where halls are a ring none begins anywhere.
         for begin in sorted(left, key=led_to.__contains__):

@@ -6,7 +6,7 @@ is 0. Nothing here comes from a site plan.
 
 import heapq
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 from statistics import median
@@ -355,6 +355,13 @@ class FloorMap:
             if from_along < along and from_aside <= IN_LINE:
                 found.append(each)
         return found
+
+    def ways_out(self) -> Iterator[tuple[int, int]]:
+        """Yield all ways that are not closed, as crossing and exit."""
+        for number, crossing in self.crossings.items():
+            for exit in range(len(crossing.exits)):
+                if exit not in crossing.closed:
+                    yield number, exit
 
     def distances_from(self, start: int) -> dict[int, float]:
         """Return the metres along walked stretches from one crossing to all others."""
