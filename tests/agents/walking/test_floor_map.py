@@ -1,6 +1,7 @@
 """What the sketch map tells of crossings, and of what one can see beside a way."""
 
 import math
+from dataclasses import replace
 
 import pytest
 
@@ -81,4 +82,7 @@ def test_words_are_the_thing_only_where_the_thing_itself_is_not_seen() -> None:
 def test_a_sign_with_an_arrow_points_on() -> None:
     texts = [_sighting("Café \u2192", 5.0, 1), _sighting("Café", 8.0, 2)]
     assert is_on_a_pointer(_sighting("Café", 5.2, 1), texts)
+    half_in_view = replace(_sighting("Café", 5.75, 1), label="hanging sign")
+    assert is_on_a_pointer(half_in_view, texts)
+    assert not is_on_a_pointer(replace(half_in_view, label="door"), texts)
     assert not is_on_a_pointer(_sighting("Café", 8.0, 2), texts)

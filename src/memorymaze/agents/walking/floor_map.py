@@ -12,6 +12,7 @@ from itertools import pairwise
 from statistics import median
 
 from memorymaze.basics.geometry.pose import wrap_angle
+from memorymaze.language.nouns import kind_distance
 from memorymaze.language.reading import ANY_FLOOR, is_floor
 from memorymaze.robot.perception.matching import points_elsewhere
 
@@ -48,8 +49,9 @@ ON_LINE = 0.4
 """Metres from a line walked within which a thing lies on neither side of it."""
 SAME_THING = 1.5
 """Metres between a thing and the words on it, at most."""
-SAME_SIGN = 0.6
-"""Metres from a sign within which words are on it."""
+SAME_SIGN, SAME_WIDE_SIGN = 0.6, 1.0
+"""Metres from a thing within which words are on it; a wide sign that is half in view is
+placed 0.7 m aside."""
 SAME_EXIT = math.radians(35)
 """Exits of a crossing that differ by less are one."""
 
@@ -405,9 +407,10 @@ def _keep_nearest(seen: dict[int, Sighting], sighting: Sighting) -> None:
 
 def is_on_a_pointer(sighting: Sighting, texts: Iterable[Sighting]) -> bool:
     """Tell whether it is a sign on which words were read that point elsewhere."""
+    is_sign = kind_distance("sign", sighting.label.rpartition(" ")[2]) is not None
+    reach = SAME_WIDE_SIGN if is_sign else SAME_SIGN
     return any(
-        math.dist(text.place, sighting.place) <= SAME_SIGN
-        and points_elsewhere(text.phrase)
+        math.dist(text.place, sighting.place) <= reach and points_elsewhere(text.phrase)
         for text in texts
     )
 

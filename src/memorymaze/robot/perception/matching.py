@@ -49,7 +49,7 @@ SIZE_WORDS = word_set("sizes")
 _SIGN_WORDS = word_set("signs")
 _POINTING = re.compile(
     r"[\u2190-\u21ff\u27a1\u2b05-\u2b07]|->|<-|\b(?:to the|on (?:the|your)|turn) "
-    r"(?:left|right)\b|\bstraight\b|\d ?m\b",
+    r"(?:left|right)\b|\bstraight\b|\b\d{1,3} ?m\b",
     re.IGNORECASE,
 )
 _ROOM_WORDS = word_set("rooms")
@@ -180,6 +180,8 @@ def points_elsewhere(inscription: str) -> bool:
     """Tell a sign that says where a place is from one that says it is here.
 
     >>> points_elsewhere("Terrace \u2192"), points_elsewhere("Terrace")
+    (True, False)
+    >>> points_elsewhere("Exit 40 m"), points_elsewhere("Rock from 3000 m")
     (True, False)
     """
     return _POINTING.search(inscription) is not None
