@@ -19,7 +19,7 @@ import numpy as np
 
 from benchmarks.decisions import Moment, watched_walks
 from benchmarks.made_walks import ToldWay, made_walks_parser, told_by
-from memorymaze.agents.guide import arriving, belief, said_of_legs
+from memorymaze.agents.guide import arriving, belief, recognising, said_of_legs
 from memorymaze.agents.guide.alignments import Frontier
 from memorymaze.agents.guide.arriving import Ending
 from memorymaze.agents.guide.choosing import Choice
@@ -58,7 +58,7 @@ NEUTRAL: Mapping[str, tuple[tuple[object, str, Callable[..., object]], ...]] = {
         (Things, "ahead", lambda *_: 1.0),
     ),
     "destination seen": (
-        (arriving.Arrivals, "seen", lambda *_: 1.0),
+        (recognising.Recognition, "seen", lambda *_: 1.0),
         (arriving.Arrivals, "_ahead", lambda *_: iter(())),
     ),
     "signs": ((belief.Belief, "_hint", lambda *_: 1.0),),

@@ -75,7 +75,7 @@ def snapshots(told: Sequence[ToldWay], seed: int, speakers: str) -> list[Snapsho
                 pickle.dumps(telling.belief.floor),
                 way.plan,
                 tuple(telling.starts),
-                frozenset(telling.arrivals.refuted),
+                frozenset(telling.destination.refuted),
                 now.right,
                 now.goal,
             )
@@ -95,7 +95,7 @@ def chance_of_right(snapshot: Snapshot, model: Likelihoods) -> float:
     tellings = Tellings(pickle.loads(snapshot.floor), model)
     telling = tellings.add(snapshot.plan)
     telling.starts = list(snapshot.starts)
-    telling.arrivals.refuted |= snapshot.refuted
+    telling.destination.refuted |= snapshot.refuted
     tellings.update()
     right = 0.0
     if snapshot.right in tellings.frontiers:

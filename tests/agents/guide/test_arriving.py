@@ -133,16 +133,16 @@ def test_a_destination_by_a_doubtful_name_alone_has_none(
     floor, model = _floor(frozenset()), Likelihoods()
     arrivals = Arrivals(plan, floor, model, Things(plan, floor, model))
     assert arrivals.is_told == expected
-    assert arrivals.at_once == (("piano",) if expected else ())
-    assert arrivals.names == ("piano",)
+    assert arrivals.destination.at_once == (("piano",) if expected else ())
+    assert arrivals.destination.names == ("piano",)
 
 
 def test_where_a_number_is_told_only_that_door_will_do() -> None:
     model = Likelihoods()
     floor = _floor(frozenset())
     plan = RoutePlan(arrival=Arrival(("office", "door that says 2347")))
-    names = Arrivals(plan, floor, model, Things(plan, floor, model)).names
-    assert names == ("door that says 2347",)
+    arrivals = Arrivals(plan, floor, model, Things(plan, floor, model))
+    assert arrivals.destination.names == ("door that says 2347",)
 
 
 def test_a_sign_told_by_what_it_says_is_not_any_sign() -> None:
@@ -162,7 +162,7 @@ def test_what_was_found_not_to_be_the_destination_is_no_place_to_arrive_at() -> 
     belief.update(BOTH_WAYS)
     arrivals = Arrivals(plan, floor, model, things)
     assert any(each.sighting for each in arrivals.endings(belief))
-    arrivals.refuted.add(0)
+    arrivals.destination.refuted.add(0)
     assert not any(each.sighting for each in arrivals.endings(belief))
 
 
@@ -221,7 +221,7 @@ def test_a_place_with_a_door_and_a_sign_is_no_two_places() -> None:
         floor = _floor(frozenset({"cafe"}), *(("cafe", each) for each in seen))
         plan, model = RoutePlan(arrival=Arrival(("cafe",))), Likelihoods()
         arrivals = Arrivals(plan, floor, model, Things(plan, floor, model))
-        return arrivals.seen(floor.seen("cafe")[0])
+        return arrivals.destination.seen(floor.seen("cafe")[0])
 
     door, sign, another = (8.0, 1.0), (6.5, 1.0), (-8.0, 1.0)
     assert ratio(door, sign) == pytest.approx(ratio(door))

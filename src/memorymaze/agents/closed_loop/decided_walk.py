@@ -13,8 +13,8 @@ from memorymaze.agents.notes import (
     GaveUpNote,
     RepairNote,
 )
-from memorymaze.agents.walking.approaching import IN_FRONT, is_sign, walk_up_to
-from memorymaze.agents.walking.floor_map import Sighting
+from memorymaze.agents.walking.approaching import IN_FRONT, walk_up_to
+from memorymaze.agents.walking.floor_map import Sighting, is_sign
 from memorymaze.agents.walking.walker import STRIDE, Walker
 
 WITHIN_REACH = 8.0

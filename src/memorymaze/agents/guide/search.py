@@ -354,7 +354,7 @@ class Search:
         return self._tellings.all[segment.telling]
 
     def _may_be_there(self, sighting: Sighting) -> bool:
-        refuted = self._tellings.all[0].arrivals.refuted
+        refuted = self._tellings.all[0].destination.refuted
         return (
             sighting.phrase in self._tellings.names_at_once
             and sighting.track not in refuted
@@ -374,7 +374,7 @@ class Search:
                 near = float(shares[max(leg - 1, 0) : leg + 2].sum())
                 awaited.append((near, telling.things.phrases(leg)))
             if shares[-1] >= self._choice.patience.near:
-                kin.extend(telling.arrivals.kin)
+                kin.extend(telling.destination.kin)
         awaited.sort(key=lambda each: -each[0])
         likely = [phrases for near, phrases in awaited if near >= LIKELY_ENOUGH]
         told = each_once([self._looks, self._tellings.names, *likely])[:MOST_PHRASES]

@@ -52,10 +52,11 @@ class Telling:
         self.trust = trust
         self.things = Things(plan, floor, model)
         self.arrivals = Arrivals(plan, floor, model, self.things)
+        self.destination = self.arrivals.destination
         self.belief = Belief(plan, floor, model, self.things, telling=number)
         self.endings: list[Ending] = []
         self.total = 0.0
-        self._pointers = Pointers(self.arrivals.names)
+        self._pointers = Pointers(self.destination.names)
 
     @property
     def legs(self) -> int:
@@ -165,12 +166,12 @@ class Tellings:
     @property
     def names(self) -> tuple[str, ...]:
         """What to look for of the destination."""
-        return tuple(each_once(each.arrivals.names for each in self.all))
+        return tuple(each_once(each.destination.names for each in self.all))
 
     @property
     def names_at_once(self) -> list[str]:
         """Names at which to stop without having seen what else the way has."""
-        return each_once(each.arrivals.at_once for each in self.all)
+        return each_once(each.destination.at_once for each in self.all)
 
     @property
     def is_told(self) -> bool:
@@ -180,7 +181,7 @@ class Tellings:
     def refute(self, sighting: Sighting) -> None:
         """Take note that something seen was found not to be the destination."""
         for telling in self.all:
-            telling.arrivals.refuted.add(sighting.track)
+            telling.destination.refuted.add(sighting.track)
 
     def _join(self) -> None:
         ways = {key for each in self.all for key in each.belief.frontiers}

@@ -3,7 +3,7 @@
 import math
 import re
 
-from memorymaze.agents.walking.floor_map import Sighting, along_and_aside
+from memorymaze.agents.walking.floor_map import Sighting, along_and_aside, is_sign
 from memorymaze.agents.walking.walker import Walker
 from memorymaze.language.reading import place_on_sign
 
@@ -24,7 +24,6 @@ INSIDE = 2.0
 """Metres to walk on into a place through its door."""
 
 OPENS = re.compile(r"automatic|sliding|revolving|gate|entrance")
-_SIGN = re.compile(r"\b(sign|board|signboard|poster|screen)\b")
 
 
 def walk_up_to(walker: Walker, sighting: Sighting, names: tuple[str, ...] = ()) -> None:
@@ -120,8 +119,3 @@ def stand_before(walker: Walker, sighting: Sighting) -> None:
         return
     walker.turn_to(math.atan2(dy, dx))
     walker.step(distance - CLOSE)
-
-
-def is_sign(words: str) -> bool:
-    """Tell whether a label is one of a sign."""
-    return _SIGN.search(words) is not None

@@ -6,13 +6,13 @@ is 0. Nothing here comes from a site plan.
 
 import heapq
 import math
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 from statistics import median
 
 from memorymaze.basics.geometry.pose import wrap_angle
-from memorymaze.language.nouns import kind_distance
 from memorymaze.language.reading import ANY_FLOOR, is_floor
 from memorymaze.robot.perception.matching import points_elsewhere
 
@@ -52,6 +52,7 @@ SAME_THING = 1.5
 SAME_SIGN, SAME_WIDE_SIGN = 0.6, 1.0
 """Metres from a thing within which words are on it; a wide sign that is half in view is
 placed 0.7 m aside."""
+_SIGN = re.compile(r"\b(sign|board|signboard|poster|screen)\b")
 SAME_EXIT = math.radians(35)
 """Exits of a crossing that differ by less are one."""
 
@@ -405,10 +406,14 @@ def _keep_nearest(seen: dict[int, Sighting], sighting: Sighting) -> None:
         seen[sighting.track] = sighting
 
 
+def is_sign(words: str) -> bool:
+    """Tell whether a label is one of a sign."""
+    return _SIGN.search(words) is not None
+
+
 def is_on_a_pointer(sighting: Sighting, texts: Iterable[Sighting]) -> bool:
     """Tell whether it is a sign on which words were read that point elsewhere."""
-    is_sign = kind_distance("sign", sighting.label.rpartition(" ")[2]) is not None
-    reach = SAME_WIDE_SIGN if is_sign else SAME_SIGN
+    reach = SAME_WIDE_SIGN if is_sign(sighting.label) else SAME_SIGN
     return any(
         math.dist(text.place, sighting.place) <= reach and points_elsewhere(text.phrase)
         for text in texts
