@@ -59,6 +59,11 @@ _ARTICLE = re.compile(r"^(?:the|an?|some|your|that|this|those|these|its)\s+")
 _INNER = re.compile(
     r"\b(of|on|with|in|to|at|by|opposite|beside|like) (?:the|an?|your) "
 )
+_WRITTEN = re.compile(
+    r"(?i:\b(doors?|signs?|boards?|screens?|panels?) with (?:the |an? )?)(?=[A-Z\d])"
+)
+"""What bears a name: in the middle of a sentence that is what has a capital."""
+_ON_IT = re.compile(r"(?: written)? on (?:it|them)$")
 _POSSESSIVE = re.compile(r"'s?(?!\w)")
 _ROOM = re.compile(r"(?:door |room |number )*(\d+\w?)")
 _ROOM_IN_WORDS = re.compile(rf"(?:door |room |number )*({_ones})")
@@ -164,7 +169,11 @@ def phrase_in(words: str, *, is_goal: bool = False) -> str:
     """Return a thing as one asks for it; empty if the words name none.
 
     A number alone is a room if one wants to get there.
+
+    >>> phrase_in("the glass doors with A1 on them"), phrase_in("a door with a window")
+    ('glass door that says a1', 'door with window')
     """
+    words = _WRITTEN.sub(r"\1 that says ", _ON_IT.sub("", words))
     said = _POSSESSIVE.sub("", _plain(words).replace('"', "")).split(",")[0].strip(" '")
     said = _INNER.sub(r"\1 ", _ARTICLE.sub("", said))
     if (room := _ROOM.fullmatch(said)) is not None:
