@@ -63,16 +63,22 @@ _PARTITIVE = re.compile(
     r"|group|lot|kind|sort|type|piece)s? of "
 )
 _LABELLED = re.compile(
-    r" (?:(?:marked|labell?ed|saying|reading|named|called)(?: as)?|that reads"
+    r" (?:(?:marked|labell?ed|saying|reading|named|called)(?: as)?"
+    r"|(?:(?:that|which|who) )*(?:says?|reads?|is written)"
     r"|with (?:the )?(?:name|text|words?|letters?|number))(?: the)? (?=\w)"
 )
 _NUMBERED = re.compile(
     r"(?:(?:professor's|room|office|door|number|numbers) )*\d{3,}\w?"
 )
 _LOOK = "(?:" + "|".join(sorted(LOOKS)) + ")"
+_HANGS = (
+    "(?: (?:hanging|hangs|above|over|overhead|up|down|from|on|in|at|there|the|your|you|head"
+    "|ceiling|wall|is))*"
+)
+"""Where a sign is, between it and what it says."""
 _SIGN = re.compile(
-    rf"(?P<looks>(?:{_LOOK} )+)?(?:signs? (?:(?:that says?|which says|of|for|with|to)"
-    rf" )?(?:the )?(?P<says>.+)|(?!exit )(?P<said>.*(?!{_LOOK})\b\w+) signs?)"
+    rf"(?P<looks>(?:{_LOOK} )+)?(?:signs?(?P<hangs>{_HANGS})(?: (?:that says|of|for|with|to|names"
+    rf"|shows))*(?: (?:the )?(?P<says>.+))?|(?!exit )(?P<said>.*(?!{_LOOK})\b\w+) signs?)"
 )
 
 
@@ -102,6 +108,8 @@ def _as_asked_for(tokens: list[str]) -> str:
 
     >>> _as_asked_for(["red", "sofas"]), _as_asked_for(["kitchen", "sign"])
     ('red sofa', 'sign that says kitchen')
+    >>> _as_asked_for(["sign", "over", "your", "head", "says", "terrace"])
+    'sign that says terrace'
     """
     phrase = " ".join(tokens)
     phrase = _LABELLED.sub(" that says ", phrase)
@@ -109,7 +117,11 @@ def _as_asked_for(tokens: list[str]) -> str:
         return f"door that says {tokens[-1]}"
     sign = _SIGN.fullmatch(phrase)
     if sign is not None:
-        return f"{sign['looks'] or ''}sign that says {sign['said'] or sign['says']}"
+        looks, said = sign["looks"] or "", sign["said"] or sign["says"]
+        if said:
+            return f"{looks}sign that says {said}"
+        hangs = "hanging " if sign["hangs"] and "hang" in sign["hangs"] else ""
+        return f"{looks}{hangs}sign"
     tokens = phrase.split()
     head = len(_BINDING.split(phrase, maxsplit=1)[0].split()) - 1
     return " ".join([*tokens[:head], _singular(tokens[head]), *tokens[head + 1 :]])
