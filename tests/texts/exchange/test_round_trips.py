@@ -150,6 +150,10 @@ def test_an_episode_off_its_route_is_refused(
     path.write_bytes(gzip.compress(json.dumps(content).encode()))
     with pytest.raises(InstructionFileError, match="episode_id 1: expected start and"):
         read_vln_ce([path], tiny_sites)
+    path.write_bytes(gzip.compress(b"[]"))
+    message = r"expected VLN-CE episodes: the whole: expected a record {…}, got \[\]"
+    with pytest.raises(InstructionFileError, match=message):
+        read_vln_ce([path], tiny_sites)
     path.write_bytes(b"not packed")
     with pytest.raises(InstructionFileError, match="cannot be read"):
         read_vln_ce([path], tiny_sites)

@@ -139,7 +139,7 @@ def read_as(adapter: TypeAdapter[_Read], path: Path, what: str) -> _Read:
     except ValidationError as error:
         where, said = next(mistakes(error))
         raise InstructionFileError(
-            f"{path}: expected {what}: {where}: {said}"
+            f"{path}: expected {what}: {where or 'the whole'}: {said}"
         ) from None
 
 
