@@ -339,6 +339,12 @@ def check_number(
     )
 
 
+def check_kind(name: str, value: object, kind: type | UnionType, wanted: str) -> None:
+    """Refuse what is of another type than `kind`, which the message calls `wanted`."""
+    if not isinstance(value, kind):
+        raise SettingsError(f"{name}: expected {wanted}, got {value!r}")
+
+
 def check_word(name: str, value: object, words: Any) -> None:
     """Refuse what is none of the words of a `Literal`."""
     if value not in get_args(words):

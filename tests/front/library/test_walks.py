@@ -108,6 +108,23 @@ def test_a_robot_by_hand_is_not_made_of_what_means_nothing(
         mm.make_robot(corridor, **choice)
 
 
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ({"text": None}, "text: expected an instruction as a text, got None"),
+        ({"site": 5}, "site: expected a plan's file or one of university, .*, got 5"),
+        ({"site": None}, "site: expected a plan's file or one of .*, got None"),
+        ({"route": 1}, r"route: expected one of R1 .*, got 1; did you mean 'R1'\?"),
+        ({"settings": {}}, r"settings: expected RunSettings\(…\), got {}"),
+    ],
+)
+def test_what_is_of_another_type_is_refused_by_its_name(
+    corridor: Path, given: dict[str, Any], said: str
+) -> None:
+    with pytest.raises(SettingsError, match=said):
+        mm.follow(**{"text": "Go.", "agent": Ahead, "site": corridor, **given})
+
+
 def test_what_is_no_agent_is_refused(corridor: Path) -> None:
     with pytest.raises(SettingsError, match="expected an agent with `name`"):
         mm.follow("Go.", object(), site=corridor)  # type: ignore[arg-type]

@@ -194,4 +194,4 @@ def _of_one_walk(
                 f"setting {name}: is of runs of many episodes, and this is one walk; "
                 "leave it out, or use evaluate()"
             )
-    return with_choices(settings or RunSettings(), choices)
+    return with_choices(RunSettings() if settings is None else settings, choices)

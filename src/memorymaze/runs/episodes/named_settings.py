@@ -16,7 +16,7 @@ from typing import Any, TypeVar
 
 from memorymaze.basics.errors import SettingsError, did_you_mean
 from memorymaze.basics.input_files import field_lines, parse_toml, read_text, shown
-from memorymaze.basics.options import as_given, read_value
+from memorymaze.basics.options import as_given, check_kind, read_value
 from memorymaze.language.models.model_settings import ModelSettings
 from memorymaze.robot.simulation.settings import SimulationSettings
 from memorymaze.runs.episodes.bodies import options_of_body, parse_body
@@ -129,6 +129,7 @@ def with_choices(settings: RunSettings, choices: Mapping[str, Any]) -> RunSettin
     Raises:
         SettingsError: There is no such setting, or a value has no meaning.
     """
+    check_kind("settings", settings, RunSettings, "RunSettings(…)")
     choices = dict(choices)
     simulation = choices.pop("simulation", settings.simulation)
     for name in choices:

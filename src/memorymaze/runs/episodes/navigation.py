@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from memorymaze.basics.durable_files import write_whole
 from memorymaze.basics.errors import RunFolderError, SettingsError
+from memorymaze.basics.options import check_kind
 from memorymaze.language.models.model_settings import ModelSettings
 from memorymaze.runs.episodes.agent_catalogue import AgentChoice, choose_agent
 from memorymaze.runs.episodes.arena import Arena, arenas_of, checked_eyes
@@ -70,6 +71,7 @@ def navigate(
 
     Several walks share what is costly of a building by an arena of it.
     """
+    check_kind("text", text, str, "an instruction as a text")
     if not text.strip():
         raise SettingsError("text: expected an instruction, got nothing")
     settings = settings or RunSettings()

@@ -1,5 +1,6 @@
 """Sites from plans: those of this package, files and folders, made into records."""
 
+import os
 import re
 from collections.abc import Callable, Sequence
 from functools import cache
@@ -10,6 +11,7 @@ from pydantic import BaseModel
 from shapely import LineString, Point, Polygon
 
 from memorymaze.basics.errors import SettingsError, SitePlanError, did_you_mean
+from memorymaze.basics.options import check_kind
 from memorymaze.world.sites import plan_models as models
 from memorymaze.world.sites import records
 from memorymaze.world.sites.loading_rules import loading_findings
@@ -130,10 +132,12 @@ def plan_file(site: str | Path) -> Path:
     """Return the plan's file of one of the benchmark's sites, or the file of this name."""
     if site in BUILTIN_SITE_NAMES:
         return Path(__file__).parent / "data" / f"{site}.geojson"
+    wanted = f"a plan's file or one of {', '.join(BUILTIN_SITE_NAMES)}"
+    check_kind("site", site, str | os.PathLike, wanted)
     if not site or not Path(site).exists():
         raise SettingsError(
-            f"site: expected a plan's file or one of {', '.join(BUILTIN_SITE_NAMES)}, "
-            f"got {str(site)!r}: no such file{did_you_mean(site, BUILTIN_SITE_NAMES)}"
+            f"site: expected {wanted}, got {str(site)!r}: no such file"
+            f"{did_you_mean(site, BUILTIN_SITE_NAMES)}"
         )
     return Path(site)
 

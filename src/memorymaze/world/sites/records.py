@@ -311,7 +311,7 @@ class Site:
             for each in self.routes
         ]
         known = [each for route in self.routes for each in (route.route, route.id)]
-        meant = did_you_mean(name.upper(), known) or did_you_mean(name, known)
+        meant = did_you_mean(str(name).upper(), known) or did_you_mean(name, known)
         raise SettingsError(
             f"route: expected one of {', '.join(names)}, got {name!r}{meant}"
         )
