@@ -6,6 +6,7 @@ import pytest
 
 import memorymaze as mm
 from memorymaze.basics.errors import SettingsError, SitePlanError
+from memorymaze.runs.episodes.settings import RunSettings
 
 
 class Ahead:
@@ -74,11 +75,20 @@ def test_settings_are_changed_by_name(corridor: Path) -> None:
         mm.follow("Go.", Ahead, site=corridor, time_buget=4.0)
 
 
+@pytest.mark.parametrize(
+    "given",
+    [
+        {"wall_limit": 5},
+        {"settings": RunSettings(wall_limit=5)},
+        {"settings": RunSettings(seed=1), "wall_limit": 5},
+    ],
+)
 def test_what_is_said_of_runs_of_many_episodes_is_refused_of_one_walk(
-    corridor: Path,
+    corridor: Path, given: dict[str, Any]
 ) -> None:
-    with pytest.raises(SettingsError, match="wall_limit: is of runs of many episodes"):
-        mm.follow("Go.", Ahead, site=corridor, wall_limit=5)
+    said = "wall_limit: is of runs of many episodes, and this is one walk, got 5; leave"
+    with pytest.raises(SettingsError, match=said):
+        mm.follow("Go.", Ahead, site=corridor, **given)
 
 
 def test_a_robot_by_hand_says_where_it_is(corridor: Path) -> None:

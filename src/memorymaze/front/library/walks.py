@@ -188,10 +188,12 @@ def _of_one_walk(
     settings: RunSettings | None, choices: Mapping[str, Any]
 ) -> RunSettings:
     """Return settings with some changed; refuse by name what means nothing here."""
+    plain = RunSettings()
+    chosen = with_choices(plain if settings is None else settings, choices)
     for name in OF_MANY_EPISODES:
-        if name in choices:
+        if name in choices or getattr(chosen, name) != getattr(plain, name):
             raise SettingsError(
-                f"setting {name}: is of runs of many episodes, and this is one walk; "
-                "leave it out, or use evaluate()"
+                f"setting {name}: is of runs of many episodes, and this is one walk, got "
+                f"{getattr(chosen, name)}; leave it out, or use evaluate()"
             )
-    return with_choices(RunSettings() if settings is None else settings, choices)
+    return chosen
