@@ -73,6 +73,8 @@ def test_settings_are_changed_by_name(corridor: Path) -> None:
     assert walk.stopped_by == "budget"
     with pytest.raises(SettingsError, match="did you mean 'time_budget'"):
         mm.follow("Go.", Ahead, site=corridor, time_buget=4.0)
+    with pytest.raises(SettingsError, match="budget_by: expected way beside a time"):
+        mm.follow("Go.", Ahead, site=corridor, time_budget=4.0, budget_by="longest")
 
 
 @pytest.mark.parametrize(

@@ -75,6 +75,7 @@ def navigate(
     if not text.strip():
         raise SettingsError("text: expected an instruction, got nothing")
     settings = settings or RunSettings()
+    settings.check_budget()
     checked_eyes(settings)
     chosen = choose_agent(agent, language_model)
     check_people(settings, chosen)

@@ -67,6 +67,7 @@ def plan_run(
     if corpus is None:
         corpus = load_corpus()
     settings = settings or settings_for(corpus)
+    settings.check_budget(corpus.time_budget)
     checked_eyes(settings)
     body = find_body(settings.robot)
     chosen_agent = choose_agent(agent, language_model)

@@ -232,6 +232,14 @@ class RunSettings:
             return "people"
         return "default" if self.obstacles is None else "obstacles"
 
+    def check_budget(self, of_corpus: float | None = None) -> None:
+        """Refuse a time budget beside `budget_by`; one that comes with a corpus may be."""
+        if self.budget_by != "way" and self.time_budget not in (None, of_corpus):
+            raise SettingsError(
+                f"budget_by: expected way beside a time_budget, got {self.budget_by} and "
+                f"time_budget {self.time_budget}; leave one of them out"
+            )
+
     def _check_body(self) -> None:
         """Refuse what is of the simulated body where there is another one."""
         if self.robot is None:
