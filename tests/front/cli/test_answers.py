@@ -202,6 +202,21 @@ def test_a_file_that_is_there_is_not_written_over(
     assert said.code == 2
     assert "exists already" in said.err
     assert there.read_text(encoding="utf-8") == "mine"
+    assert not (tmp_path / "answers.jsonl").exists()
+
+
+def test_a_command_that_cannot_be_done_leaves_no_store(
+    memorymaze: Memorymaze, tiny_files: list[str], tmp_path: Path
+) -> None:
+    store = tmp_path / "answers.jsonl"
+    ask = ["answers", "requests", "--model", "m", "--store", store, *tiny_files]
+    ask += ["--out", tmp_path / "requests.jsonl", "--agent"]
+    for wrong in (["nobody"], ["stop"], ["code_generation", "--set", "parsr=false"]):
+        said = memorymaze(*ask, *wrong)
+        assert said.code != 0, wrong
+        assert not store.exists(), said.err
+    assert memorymaze(*ask, "code_generation").code == 0
+    assert store.exists()
 
 
 def test_a_file_with_problems_is_told_line_by_line(

@@ -1,7 +1,9 @@
 """`memorymaze answers`: requests to language models in files, and what came back."""
 
 import argparse
+import os
 import sys
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from memorymaze.basics.extras import command_here
@@ -124,16 +126,21 @@ def _plan(options: argparse.Namespace, answers: str) -> "RunPlan":
 
 
 def _write_requests(options: argparse.Namespace) -> None:
-    from memorymaze.basics.durable_files import write_new
+    from memorymaze.basics.durable_files import check_new_file, write_new
     from memorymaze.language.models.answer_files import AnswerFile
     from memorymaze.language.models.batch_files import request_line
     from memorymaze.runs.episodes.open_requests import open_requests
 
+    answers = options.store
+    if not Path(options.store).exists():
+        check_new_file(Path(options.out))
+        # It answers as much as a new store, which is made when all else can be used.
+        answers = os.devnull
+    plan = _plan(options, answers)
     store = AnswerFile.sound(options.store, make=True)
     length = "max_completion_tokens" if options.max_completion_tokens else "max_tokens"
     asked = {
-        store.ask(options.model, request): request
-        for request in open_requests(_plan(options, options.store))
+        store.ask(options.model, request): request for request in open_requests(plan)
     }
     lines = [
         request_line(identifier, options.model, request, length_field=length)
