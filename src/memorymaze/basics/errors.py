@@ -79,6 +79,10 @@ class RunFolderError(MemoryMazeError):
     """A run folder is missing, damaged, or belongs to other settings."""
 
 
+class RunFolderWarning(UserWarning):
+    """A run folder lacks what it should hold; names it and what to do."""
+
+
 class RenderingError(MemoryMazeError):
     """No picture can be drawn on this machine; says what to install or to set."""
 

@@ -11,7 +11,12 @@ from typing import Any
 
 import pytest
 
-from memorymaze.basics.errors import MemoryMazeError, RunFolderError, SettingsError
+from memorymaze.basics.errors import (
+    MemoryMazeError,
+    RunFolderError,
+    RunFolderWarning,
+    SettingsError,
+)
 from memorymaze.runs.episodes.plan import RunPlan
 from memorymaze.runs.episodes.results import EpisodeResult
 from memorymaze.runs.episodes.trace import read_trace, trace_path
@@ -212,6 +217,21 @@ def test_a_finished_run_is_resumed_without_doing_anything(
     assert (tmp_path / "episodes.jsonl").read_bytes() == lines
     with pytest.raises(RunFolderError, match="holds a run already"):
         run_plan(plan, tmp_path)
+
+
+def test_a_run_whose_traces_are_gone_says_so_when_it_is_resumed(
+    tmp_path: Path, tiny_plan: Plan
+) -> None:
+    plan = tiny_plan("stop", limit=2)
+    first = run_plan(plan, tmp_path, workers=1)
+    for file in (tmp_path / "traces").iterdir():
+        file.unlink()
+    with pytest.warns(RunFolderWarning, match=r"got none of 2 of 2, such as .*delete"):
+        assert run_plan(plan, tmp_path, workers=1, resume=True) == first
+    # As the message says.
+    (tmp_path / "episodes.jsonl").write_text("", encoding="utf-8")
+    run_plan(plan, tmp_path, workers=1, resume=True)
+    assert trace_path(tmp_path, first[0].episode_id).exists()
 
 
 @pytest.mark.parametrize("workers", [-1, True, "2", 1.5])

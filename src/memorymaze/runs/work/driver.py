@@ -51,6 +51,7 @@ def run_plan(
         instructions=told.values(),
     ) as run:
         _check_known(run, plan)
+        run.warn_of_lost_traces()
         waiting = [e for e in plan.episodes if e.id not in run.finished]
         queue = _Queue(EpisodeTask(episode) for episode in waiting)
         limit: str | None = None

@@ -12,6 +12,7 @@ A run in parts is a folder of such folders, `part-1-of-8` and so on.
 
 import gzip
 import json
+import warnings
 import zlib
 from collections.abc import Generator, Iterable, Mapping
 from contextlib import ExitStack, contextmanager
@@ -28,7 +29,7 @@ from memorymaze.basics.durable_files import (
     remove_leftovers,
     write_whole,
 )
-from memorymaze.basics.errors import RunFolderError, SettingsError
+from memorymaze.basics.errors import RunFolderError, RunFolderWarning, SettingsError
 from memorymaze.basics.input_files import LARGEST_FILE, parse_json
 from memorymaze.runs.episodes.provenance import CodeStamp
 from memorymaze.runs.episodes.results import (
@@ -38,7 +39,7 @@ from memorymaze.runs.episodes.results import (
 )
 from memorymaze.runs.episodes.settings import RunDefinition, differences
 from memorymaze.runs.episodes.shards import PartOfRun, parts_in, whole_settings
-from memorymaze.runs.episodes.trace import keep_trace
+from memorymaze.runs.episodes.trace import keep_trace, trace_path
 from memorymaze.texts.corpus.records import Instruction
 from memorymaze.world.sites.loading import sound_site
 from memorymaze.world.sites.plan import plan_bytes
@@ -86,6 +87,17 @@ class RunFolder:
                 keep_trace(self.path, result.episode_id, trace)
             append_line(self.path / "episodes.jsonl", result_to_line(result))
         self.finished[result.episode_id] = result
+
+    def warn_of_lost_traces(self) -> None:
+        """Say of how many results the traces are gone."""
+        lost = [one for one in self.finished if not trace_path(self.path, one).exists()]
+        if lost:
+            told = (
+                f"{self.path}: expected a trace of each result, got none of {len(lost)} of "
+                f"{len(self.finished)}, such as {min(lost)!r}; bring them back, or delete "
+                "their lines in episodes.jsonl, and --resume runs them again"
+            )
+            warnings.warn(told, RunFolderWarning, stacklevel=3)
 
     def write_summary(self, summary: Mapping[str, Any]) -> None:
         """Write `summary.json`."""
