@@ -59,3 +59,8 @@ def require_extra(
                 f"{purpose}: the package {package} is not installed; type: "
                 f"{how_to_install(extra)}{instead}"
             )
+
+
+def require_parquet() -> None:
+    """Refuse to go on without what Parquet needs, the extra `tables`."""
+    require_extra("tables", "pyarrow", purpose="Parquet", otherwise="take CSV")

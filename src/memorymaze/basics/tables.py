@@ -14,7 +14,7 @@ from html import escape
 from itertools import groupby
 from typing import TYPE_CHECKING, Any, Literal
 
-from memorymaze.basics.extras import require_extra
+from memorymaze.basics.extras import require_extra, require_parquet
 
 if TYPE_CHECKING:
     import pandas
@@ -145,7 +145,7 @@ class Table:
 
     def parquet(self) -> bytes:
         """Write the fields as a Parquet file; needs the extra `tables`."""
-        require_extra("tables", "pyarrow", purpose="Parquet", otherwise="take CSV")
+        require_parquet()
         import pyarrow
         import pyarrow.parquet
 

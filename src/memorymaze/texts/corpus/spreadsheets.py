@@ -8,8 +8,9 @@ from pathlib import Path
 from typing import Any, Literal
 
 from memorymaze.basics.errors import InstructionFileError
-from memorymaze.basics.extras import require_extra
+from memorymaze.basics.extras import require_parquet
 from memorymaze.basics.input_files import parse_json, read_file, read_text, refusal
+from memorymaze.basics.tables import Column, Table, write_tables
 from memorymaze.texts.corpus.record_format import (
     FIELDS,
     InstructionProblem,
@@ -41,8 +42,9 @@ def write_spreadsheet(
         for name in STRUCTURED:
             if name in record:
                 record[name] = json.dumps(record[name], ensure_ascii=False)
-        rows.append({name: record.get(name) for name in FIELDS})
-    write_file(path, _as_csv(rows) if kind == "csv" else _as_parquet(rows))
+        rows.append(record)
+    table = Table("", tuple(Column(name) for name in FIELDS), tuple(rows))
+    write_file(path, write_tables([table], kind))
 
 
 def read_spreadsheet(path: str | Path, kind: _Kind) -> list[Instruction]:
@@ -120,14 +122,6 @@ def _instruction(
     return instruction, wrong
 
 
-def _as_csv(rows: Iterable[dict[str, Any]]) -> bytes:
-    content = io.StringIO()
-    writer = csv.DictWriter(content, FIELDS, lineterminator="\n")
-    writer.writeheader()
-    writer.writerows(rows)
-    return content.getvalue().encode()
-
-
 def _from_csv(path: str | Path) -> tuple[Sequence[str], list[dict[str, Any]]]:
     text = io.StringIO(read_text(path, InstructionFileError), newline="")
     try:
@@ -149,23 +143,9 @@ def _from_csv(path: str | Path) -> tuple[Sequence[str], list[dict[str, Any]]]:
     return columns, rows
 
 
-def _require_parquet() -> None:
-    require_extra("tables", "pyarrow", purpose="Parquet", otherwise="take CSV")
-
-
-def _as_parquet(rows: list[dict[str, Any]]) -> bytes:
-    _require_parquet()
-    # Imported here: it takes longer than all else of a command.
-    import pyarrow
-    import pyarrow.parquet
-
-    content = io.BytesIO()
-    pyarrow.parquet.write_table(pyarrow.Table.from_pylist(rows), content)
-    return content.getvalue()
-
-
 def _from_parquet(path: str | Path) -> tuple[Sequence[str], list[dict[str, Any]]]:
-    _require_parquet()
+    require_parquet()
+    # Imported here: it takes longer than all else of a command.
     import pyarrow.parquet
 
     content = io.BytesIO(read_file(path, InstructionFileError))
