@@ -32,8 +32,8 @@ from memorymaze.basics.input_files import (
     parse_toml,
     read_text,
     refusal,
-    writable,
 )
+from memorymaze.texts.corpus.records import Text
 from memorymaze.world.sites import BUILTIN_SITE_NAMES, Route, Site, load_site
 
 StudyKind = Literal["online", "memory", "onsite", "follow"]
@@ -44,15 +44,7 @@ BY_THEMSELVES = ("platform_ids", "codes", "comprehension")
 UNCHANGED = "PLEASE CHANGE"
 """What the contact of a new study file begins with."""
 TEMPLATE = Path(__file__).parent / "data" / "study.toml"
-
-
-def _said(text: str) -> str:
-    if not text.strip():
-        raise ValueError("expected a text that is not empty")
-    return writable(text.strip())
-
-
-_Text = Annotated[str, AfterValidator(_said)]
+_Text = Annotated[Text, AfterValidator(str.strip)]
 
 
 class _Part(BaseModel):
