@@ -1,9 +1,10 @@
 """Writing files so that a kill at any moment leaves them whole."""
 
 import fcntl
+import json
 import os
 import shutil
-from collections.abc import Callable, Generator, Iterable
+from collections.abc import Callable, Generator, Iterable, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -89,6 +90,20 @@ def new_folder(path: str | Path, *, replaces: str | None = None) -> Generator[Pa
         unfinished.replace(path)
     finally:
         shutil.rmtree(unfinished, ignore_errors=True)
+
+
+def write_new_folder(path: Path, contents: Mapping[str, bytes]) -> list[Path]:
+    """Write a new folder of files, given by their paths in it; return where they are."""
+    with new_folder(path) as folder:
+        for name, content in contents.items():
+            (folder / name).parent.mkdir(exist_ok=True)
+            (folder / name).write_bytes(content)
+    return [path / name for name in contents]
+
+
+def as_json(content: object) -> bytes:
+    """Return the content of a JSON file that people may read."""
+    return json.dumps(content, ensure_ascii=False, indent=1).encode()
 
 
 def check_new_folder(path: str | Path, *, replaces: str | None = None) -> None:

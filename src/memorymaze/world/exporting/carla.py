@@ -3,7 +3,6 @@
 CARLA's frame is left-handed: x east, y south, z up; metres, degrees clockwise.
 """
 
-import json
 import math
 import re
 import shutil
@@ -14,7 +13,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from memorymaze.basics.durable_files import new_folder
+from memorymaze.basics.durable_files import as_json, write_new_folder
 from memorymaze.basics.errors import SettingsError
 from memorymaze.world.exporting.gltf import Glb
 from memorymaze.world.exporting.named_meshes import (
@@ -99,16 +98,13 @@ def write_carla(site: Site, out: Path, lanes: LaneType = "sidewalk") -> list[Pat
     contents = {
         f"{name}.xodr": opendrive(site, lanes).encode(),
         f"{name}.glb": glb.content(),
-        f"{name}.json": _json(package),
-        f"{name}.props.json": _json(props),
+        f"{name}.json": as_json(package),
+        f"{name}.props.json": as_json(props),
     }
     converted = _fbx(name, meshes, lanes)
     if converted is not None:
         contents[f"{name}.fbx"] = converted
-    with new_folder(out) as folder:
-        for path, content in contents.items():
-            (folder / path).write_bytes(content)
-    return [out / path for path in contents]
+    return write_new_folder(out, contents)
 
 
 def generation_parameters(site: Site) -> dict[str, float | bool]:
@@ -179,7 +175,3 @@ def _fbx(name: str, meshes: list[NamedMesh], lanes: LaneType) -> bytes | None:
                 "off the path to export without it"
             )
         return target.read_bytes()
-
-
-def _json(content: object) -> bytes:
-    return json.dumps(content, ensure_ascii=False, indent=1).encode()

@@ -3,7 +3,6 @@
 The semantic mesh has a colour per vertex, and the descriptor is a text, as in HM3D.
 """
 
-import json
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -11,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from shapely import Point, Polygon
 
-from memorymaze.basics.durable_files import new_folder
+from memorymaze.basics.durable_files import as_json, write_new_folder
 from memorymaze.world.exporting.gltf import Glb
 from memorymaze.world.exporting.named_materials import linear
 from memorymaze.world.exporting.named_meshes import (
@@ -70,17 +69,17 @@ def write_habitat(site: Site, out: Path) -> list[Path]:
         "has_semantic_textures": False,
     }
     contents = {
-        f"{name}.scene_dataset_config.json": _json({
+        f"{name}.scene_dataset_config.json": as_json({
             "stages": {"paths": {".json": ["stages"]}},
             "scene_instances": {"paths": {".json": ["scenes"]}},
             "semantic_scene_descriptor_instances": {"paths": {".json": ["stages"]}},
         }),
-        f"scenes/{name}.scene_instance.json": _json({
+        f"scenes/{name}.scene_instance.json": as_json({
             "stage_instance": {"template_name": f"stages/{name}"},
             "default_lighting": "no_lights",
             "semantic_scene_instance": f"stages/{name}.semantic_config.json",
         }),
-        f"stages/{name}.stage_config.json": _json({
+        f"stages/{name}.stage_config.json": as_json({
             "render_asset": f"{name}.glb",
             "collision_asset": f"{name}.glb",
             **ORIENTATION,
@@ -88,20 +87,16 @@ def write_habitat(site: Site, out: Path) -> list[Path]:
             "units_to_meters": 1.0,
             "force_flat_shading": True,
         }),
-        f"stages/{name}.semantic_config.json": _json({
+        f"stages/{name}.semantic_config.json": as_json({
             **semantics,
             "region_annotations": [_region(each, site) for each in regions],
         }),
         f"stages/{name}.glb": stage.content(),
         f"stages/{name}.semantic.glb": semantic.content(),
         f"stages/{name}.semantic.txt": _descriptor(instances),
-        f"stages/{name}.instances.json": _json([_told(each) for each in instances]),
+        f"stages/{name}.instances.json": as_json([_told(each) for each in instances]),
     }
-    with new_folder(out) as folder:
-        for path, content in contents.items():
-            (folder / path).parent.mkdir(exist_ok=True)
-            (folder / path).write_bytes(content)
-    return [out / path for path in contents]
+    return write_new_folder(out, contents)
 
 
 def _instances(
@@ -162,7 +157,3 @@ def _region(part: Corridor | Area | TurningPoint, site: Site) -> dict[str, Any]:
 def _loop(polygon: Polygon) -> list[list[float]]:
     """Return the outline in the frame of the meshes, y up; without holes."""
     return [[x, 0.0, -y] for x, y, *_ in polygon.exterior.coords[:-1]]
-
-
-def _json(content: object) -> bytes:
-    return json.dumps(content, ensure_ascii=False, indent=1).encode()

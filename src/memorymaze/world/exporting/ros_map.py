@@ -1,6 +1,5 @@
 """A site as a map for ROS 2: grid, route graph, and what is where, in the frame `map`."""
 
-import json
 import math
 from collections.abc import Iterator
 from pathlib import Path
@@ -10,7 +9,7 @@ import numpy as np
 from shapely import Point, Polygon, contains_xy, prepare, union_all
 from shapely.ops import nearest_points
 
-from memorymaze.basics.durable_files import new_folder
+from memorymaze.basics.durable_files import as_json, write_new_folder
 from memorymaze.basics.options import check_number
 from memorymaze.world.exporting.named_meshes import Attributes, feature_attributes
 from memorymaze.world.sites.navigation_graph import (
@@ -43,10 +42,7 @@ def write_ros_map(site: Site, out: Path, resolution: float = RESOLUTION) -> list
         "graph.geojson": _json(site, _graph_features(site, graph)),
         "semantics.geojson": _json(site, _semantic_features(site, graph)),
     }
-    with new_folder(out) as folder:
-        for name, content in contents.items():
-            (folder / name).write_bytes(content)
-    return [out / name for name in contents]
+    return write_new_folder(out, contents)
 
 
 def _grid(site: Site, resolution: float) -> tuple[bytes, float, float]:
@@ -152,9 +148,8 @@ def _feature(geometry: object, **properties: object) -> dict[str, Any]:
 
 
 def _json(site: Site, features: Iterator[dict[str, Any]]) -> bytes:
-    collection = {
+    return as_json({
         "type": "FeatureCollection",
         "name": site.name,
         "features": list(features),
-    }
-    return json.dumps(collection, ensure_ascii=False, indent=1).encode()
+    })
