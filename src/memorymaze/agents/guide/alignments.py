@@ -79,6 +79,17 @@ def mass_of(weights: Weights) -> float:
     return float(np.add.reduce(weights, axis=None))
 
 
+def summed(segments: list[Segment]) -> list[Segment]:
+    """Sum the alignments of a way out that differ in nothing but how they came there."""
+    begun = [each for each in segments if not each.walked]
+    others = [each for each in segments if each.walked]
+    if len(begun) < 2:
+        return segments
+    heaviest = max(begun, key=lambda each: mass_of(each.weights))
+    weights = np.sum([each.weights for each in begun], axis=0)
+    return [heaviest._replace(weights=weights), *others]
+
+
 class Leading(NamedTuple):
     """An alignment that leads into a way, with what its present leg has still to expect."""
 

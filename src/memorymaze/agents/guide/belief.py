@@ -8,7 +8,6 @@ so what is seen late speaks for and against every turn before it.
 """
 
 import math
-from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -20,6 +19,7 @@ from memorymaze.agents.guide.alignments import (
     Slip,
     Visit,
     mass_of,
+    summed,
 )
 from memorymaze.agents.guide.likelihoods import (
     Likelihoods,
@@ -31,7 +31,7 @@ from memorymaze.agents.guide.likelihoods import (
 )
 from memorymaze.agents.guide.said_of_legs import SaidOfLegs
 from memorymaze.agents.guide.things import Things
-from memorymaze.agents.walking.choices import BACK, SLIGHT, Choices, choices_at
+from memorymaze.agents.walking.choices import BACK, SLIGHT, Choices, KnownChoices
 from memorymaze.agents.walking.floor_map import FloorMap, Stretch
 from memorymaze.agents.walking.outlooks import faces, length_of
 from memorymaze.basics.geometry.pose import wrap_angle
@@ -102,7 +102,7 @@ class Belief:
         self.frontiers.clear()
         self.visits.clear()
         self._heaviest = 0.0
-        self._known_choices: dict[tuple[int, float], Choices] = {}
+        self._choices = KnownChoices(self.floor)
         legs = len(self.plan.legs)
         self._levels: list[dict[tuple[int, int], list[Segment]]] = [
             {} for _ in range(legs + 1)
@@ -131,7 +131,7 @@ class Belief:
                 self._leave(start, exit)
         for level in range(legs + 1):
             for (_, exit), segments in self._levels[level].items():
-                for segment in _summed(segments):
+                for segment in summed(segments):
                     self._leave(segment, exit)
                     if self._followed > MOST_ALIGNMENTS:
                         return False
@@ -146,7 +146,7 @@ class Belief:
 
         And mostly so where no way was told, but the place alone.
         """
-        halls, legs = [*self._halls()], len(self.plan.legs)
+        halls, legs = [*self._choices.halls()], len(self.plan.legs)
         share = self.model.speakers[0] * chance / max(sum(map(len, halls)), 1)
         weights = np.stack([share * self._untold, share * self.model.lost])
         story = "no way was told" if self._untold else "nothing that was told fits"
@@ -174,26 +174,6 @@ class Belief:
                 # Where all that was told may be wrong, seeing the place alone tells it.
                 if self._untold:
                     self.visits.append(Visit(segment, None))
-
-    def _halls(self) -> Iterator[list[tuple[int, int]]]:
-        """Yield all ways out, those straight on from one together with it."""
-        further: dict[tuple[int, int], tuple[int, int]] = {}
-        for way, stretch in self.floor.stretches.items():
-            ahead = self._choices(stretch.end, stretch.arrival).forward
-            if ahead is not None:
-                further[way] = stretch.end, ahead[0]
-        left = dict.fromkeys(self.floor.ways_out())
-        led_to = set(further.values())
-        # Where halls are a ring none begins anywhere.
-        for begin in sorted(left, key=led_to.__contains__):
-            hall: list[tuple[int, int]] = []
-            way: tuple[int, int] | None = begin
-            while way in left:
-                hall.append(way)
-                del left[way]
-                way = further.get(way)
-            if hall:
-                yield hall
 
     def _reach(self, segment: Segment, exit: int, weights: Weights) -> None:
         """Let an alignment lead into a way that was not walked yet."""
@@ -238,7 +218,7 @@ class Belief:
 
     def _come_to(self, segment: Segment) -> None:
         """Branch at a crossing into what the speaker may have meant there."""
-        choices = self._choices(segment.at, segment.heading)
+        choices = self._choices[segment.at, segment.heading]
         if segment.leg == len(self.plan.legs):
             self.visits.append(Visit(segment, None))
         self._turn(segment, choices)
@@ -264,7 +244,7 @@ class Belief:
             if ahead is not None and index == ahead[0]:
                 chance = model.pass_untold if junction else 1.0
                 chance *= untold_bend(model, angle)
-                if self._plain_turn_fits(segment, choices):
+                if self._said.plain_turn_fits(segment, choices):
                     chance = model.pass_fitting
                 self._leave(passed._replace(weights=base * chance), index)
             elif not junction:
@@ -295,20 +275,6 @@ class Belief:
         if segment.leg < len(self.plan.legs) or side not in {"left", "right"}:
             return False
         return (angle > 0) == (side == "left")
-
-    def _plain_turn_fits(self, segment: Segment, choices: Choices) -> bool:
-        """Tell whether a turn about which nothing else was said could be here."""
-        leg = self._said.leg_of(segment)
-        if leg is None or leg.turn.way not in {"left", "right"}:
-            return False
-        turn = leg.turn
-        if turn.ordinal is not None or turn.at_end or turn.junction or turn.forced:
-            return False
-        if leg.length is not None and leg.length.unit != "vague":
-            return False
-        if leg.passings or self.things.awaited(segment.leg, segment.line, segment.at):
-            return False
-        return bool(choices.on(turn.way))
 
     # -- turns told
 
@@ -371,7 +337,9 @@ class Belief:
         looks = faces(self.plan, number)
         around = leg.turn.way == "around"
         anew = looks or around
-        ways = self._all_ways(segment) if anew else choices.ways
+        ways = choices.ways
+        if anew:
+            ways = self._choices.all_ways(segment.at, segment.heading)
         for index, angle in ways:
             fine, wrong = way_ratio(leg.turn, angle), 0.0
             if looks:
@@ -404,7 +372,7 @@ class Belief:
             self._add(done, index)
             following = self._said.leg_of(done)
             if anew and following is not None and following.on_the_spot:
-                self._turn(done, self._choices(segment.at, done.heading))
+                self._turn(done, self._choices[segment.at, done.heading])
 
     def _by_signs(self, segment: Segment, exit: int, choices: Choices) -> Weights:
         """Weigh a way out against the signs that point to the destination there."""
@@ -427,29 +395,3 @@ class Belief:
 
     def _is_light(self, weights: Weights) -> bool:
         return mass_of(weights) < self._least * self._heaviest
-
-    def _choices(self, at: int, heading: float) -> Choices:
-        """Return the ways out of a crossing; there are few headings to come in by."""
-        known = self._known_choices.get((at, heading))
-        if known is None:
-            crossing = self.floor.crossings[at]
-            known = choices_at(crossing.exits, crossing.closed, heading)
-            self._known_choices[at, heading] = known
-        return known
-
-    def _all_ways(self, segment: Segment) -> Iterator[tuple[int, float]]:
-        crossing = self.floor.crossings[segment.at]
-        for index, heading in enumerate(crossing.exits):
-            if index not in crossing.closed:
-                yield index, wrap_angle(heading - segment.heading)
-
-
-def _summed(segments: list[Segment]) -> list[Segment]:
-    """Sum the alignments of a way out that differ in nothing but how they came there."""
-    begun = [each for each in segments if not each.walked]
-    others = [each for each in segments if each.walked]
-    if len(begun) < 2:
-        return segments
-    heaviest = max(begun, key=lambda each: mass_of(each.weights))
-    weights = np.sum([each.weights for each in begun], axis=0)
-    return [heaviest._replace(weights=weights), *others]

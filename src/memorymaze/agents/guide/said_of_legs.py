@@ -53,6 +53,20 @@ class SaidOfLegs:
         legs = self.plan.legs
         return legs[segment.leg] if segment.leg < len(legs) else None
 
+    def plain_turn_fits(self, segment: Segment, choices: Choices) -> bool:
+        """Tell whether a turn about which nothing else was said could be here."""
+        leg = self.leg_of(segment)
+        if leg is None or leg.turn.way not in {"left", "right"}:
+            return False
+        turn = leg.turn
+        if turn.ordinal is not None or turn.at_end or turn.junction or turn.forced:
+            return False
+        if leg.length is not None and leg.length.unit != "vague":
+            return False
+        if leg.passings or self.things.awaited(segment.leg, segment.line, segment.at):
+            return False
+        return bool(choices.on(turn.way))
+
     def at_place(
         self,
         segment: Segment,

@@ -1,10 +1,11 @@
 """The ways out of a crossing, as one who comes in by a heading tells them."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
+from memorymaze.agents.walking.floor_map import FloorMap
 from memorymaze.basics.geometry.pose import wrap_angle
 
 FORWARD, SLIGHT, BACK = math.radians(15), math.radians(60), math.radians(160)
@@ -44,3 +45,46 @@ def choices_at(exits: Sequence[float], closed: set[int], heading: float) -> Choi
             if index not in closed and abs(angle := wrap_angle(each - heading)) <= BACK
         )
     )
+
+
+class KnownChoices(dict[tuple[int, float], Choices]):
+    """The ways out of the crossings of a map, by crossing and heading to come in by."""
+
+    def __init__(self, floor: FloorMap) -> None:
+        """Take a map as it is; what is added to it later is not told."""
+        super().__init__()
+        self._floor = floor
+
+    def __missing__(self, key: tuple[int, float]) -> Choices:
+        """Work out the ways once; there are few headings to come in by."""
+        at, heading = key
+        crossing = self._floor.crossings[at]
+        self[key] = choices_at(crossing.exits, crossing.closed, heading)
+        return self[key]
+
+    def all_ways(self, at: int, heading: float) -> Iterator[tuple[int, float]]:
+        """Yield all ways out, the way back too."""
+        crossing = self._floor.crossings[at]
+        for index, each in enumerate(crossing.exits):
+            if index not in crossing.closed:
+                yield index, wrap_angle(each - heading)
+
+    def halls(self) -> Iterator[list[tuple[int, int]]]:
+        """Yield all ways out, those straight on from one together with it."""
+        further: dict[tuple[int, int], tuple[int, int]] = {}
+        for way, stretch in self._floor.stretches.items():
+            ahead = self[stretch.end, stretch.arrival].forward
+            if ahead is not None:
+                further[way] = stretch.end, ahead[0]
+        left = dict.fromkeys(self._floor.ways_out())
+        led_to = set(further.values())
+        # Where halls are a ring none begins anywhere.
+        for begin in sorted(left, key=led_to.__contains__):
+            hall: list[tuple[int, int]] = []
+            way: tuple[int, int] | None = begin
+            while way in left:
+                hall.append(way)
+                del left[way]
+                way = further.get(way)
+            if hall:
+                yield hall
