@@ -62,7 +62,7 @@ NEUTRAL: Mapping[str, tuple[tuple[object, str, Callable[..., object]], ...]] = {
         (arriving.Arrivals, "_ahead", lambda *_: iter(())),
     ),
     "signs": ((belief.Belief, "_hint", lambda *_: 1.0),),
-    "plain turn": ((belief.Belief, "_plain_turn_fits", lambda *_: False),),
+    "plain turn": ((said_of_legs.SaidOfLegs, "plain_turn_fits", lambda *_: False),),
 }
 """What stands for each kind of evidence where it is to say nothing."""
 PRICE = "metres"

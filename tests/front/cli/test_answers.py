@@ -141,7 +141,7 @@ def test_the_way_through_files_gives_the_tables_of_the_way_with_a_model(
     said = memorymaze(*ask, *tiny_files, "--out", tmp_path / "nothing.jsonl")
     assert "nothing is open" in said.out
     said = memorymaze("answers", "check", store, *variant, *tiny_files)
-    assert said.code == 0, said.err
+    assert said.code == 1  # some answers cannot be used
     assert "12 episodes; answers given before the run, from answers.jsonl" in said.out
 
     offline = tmp_path / "offline" / "run"
