@@ -62,7 +62,7 @@ _ASIDE = re.compile(
     r" (?:is|comes|are|was) (?:just )?(?:before|after|opposite|across|first|behind)\b"
 )
 _ROOM = re.compile(
-    r"(?:door )?((?:(?:\w+ )*(?:room|office|lab|hall) )?(?:\d\w*|[a-z]))"
+    r"(?:door (?:(?:of|to) )?)?((?:(?:\w+ )*(?:room|office|lab|hall) )?(?:\d\w*|[a-z]))"
 )
 """A room by its number or letter; what its door says."""
 _BEHIND_A_DOOR = re.compile(
@@ -252,6 +252,8 @@ def shown_names(names: Sequence[str]) -> tuple[str, ...]:
 
     >>> shown_names(("room 6",)), shown_names(("glass door of the library",))
     (('door that says room 6', 'room 6'), ('glass door of the library', 'library'))
+    >>> shown_names(("door of lab 502",))
+    ('door that says lab 502', 'door of lab 502', 'lab 502')
     """
     shown: list[str] = []
     for name in names:
