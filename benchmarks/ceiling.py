@@ -365,7 +365,7 @@ def phrases_of(plan: RoutePlan) -> tuple[str, ...]:
     """Return all that one would look for who follows a plan."""
     floor, model = FloorMap(), Likelihoods()
     things = Things(plan, floor, model)
-    phrases = [ANY_FLOOR, *Arrivals(plan, floor, model, things).names]
+    phrases = [ANY_FLOOR, *Arrivals(plan, floor, model, things).destination.names]
     for number in range(len(plan.legs) + 1):
         outlook = outlook_of(plan, number)
         phrases += [*things.phrases(number), *outlook.ahead, *outlook.behind]
