@@ -31,6 +31,7 @@ from memorymaze.agents.guide.alignments import AssumedStart, Segment
 from memorymaze.agents.guide.arriving import SAME_PLACE, Arrivals, Ending
 from memorymaze.agents.guide.belief import Belief
 from memorymaze.agents.guide.likelihoods import Likelihoods
+from memorymaze.agents.guide.recognising import Recognition
 from memorymaze.agents.guide.search import SHORT_OF_THE_END
 from memorymaze.agents.guide.starts import starts_ahead
 from memorymaze.agents.guide.things import Things
@@ -365,7 +366,7 @@ def phrases_of(plan: RoutePlan) -> tuple[str, ...]:
     """Return all that one would look for who follows a plan."""
     floor, model = FloorMap(), Likelihoods()
     things = Things(plan, floor, model)
-    phrases = [ANY_FLOOR, *Arrivals(plan, floor, model, things).destination.names]
+    phrases = [ANY_FLOOR, *Recognition(plan.arrival, floor, model, things).names]
     for number in range(len(plan.legs) + 1):
         outlook = outlook_of(plan, number)
         phrases += [*things.phrases(number), *outlook.ahead, *outlook.behind]

@@ -84,7 +84,7 @@ class DecidedWalk:
             told = ", ".join(map(str, known))
             raise ValueError(f"place: expected one of {told}; got {place}")
         crossing = self._walker.map.crossings[place]
-        ways = set(range(len(crossing.exits))) - crossing.closed
+        ways = {exit for exit, _ in crossing.open_exits()}
         if answer.exit is not None and answer.exit not in ways:
             names = ", ".join(map(way_name, sorted(ways))) or "none"
             raise ValueError(

@@ -237,8 +237,8 @@ class Arrivals:
         return any(
             sighting
             in self._floor.seen_ahead(sighting.phrase, crossing.number, heading)
-            for exit, heading in enumerate(crossing.exits)
-            if exit not in crossing.closed and (at_end or exit != stretch.exit)
+            for exit, heading in crossing.open_exits()
+            if at_end or exit != stretch.exit
         )
 
     def _at_crossing(self, visit: Visit) -> Iterator[Ending]:

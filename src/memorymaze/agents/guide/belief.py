@@ -339,7 +339,10 @@ class Belief:
         anew = looks or around
         ways = choices.ways
         if anew:
-            ways = self._choices.all_ways(segment.at, segment.heading)
+            ways = [
+                (index, wrap_angle(each - segment.heading))
+                for index, each in self.floor.crossings[segment.at].open_exits()
+            ]
         for index, angle in ways:
             fine, wrong = way_ratio(leg.turn, angle), 0.0
             if looks:

@@ -321,8 +321,7 @@ class Things:
         return any(
             (at, exit) not in self._floor.stretches
             and sighting in self._floor.seen_ahead(sighting.phrase, at, heading)
-            for exit, heading in enumerate(self._floor.crossings[at].exits)
-            if exit not in self._floor.crossings[at].closed
+            for exit, heading in self._floor.crossings[at].open_exits()
         )
 
     def _seen_along(self, mention: Mention, line: tuple[Point, ...]) -> Heard | None:

@@ -62,13 +62,6 @@ class KnownChoices(dict[tuple[int, float], Choices]):
         self[key] = choices_at(crossing.exits, crossing.closed, heading)
         return self[key]
 
-    def all_ways(self, at: int, heading: float) -> Iterator[tuple[int, float]]:
-        """Yield all ways out, the way back too."""
-        crossing = self._floor.crossings[at]
-        for index, each in enumerate(crossing.exits):
-            if index not in crossing.closed:
-                yield index, wrap_angle(each - heading)
-
     def halls(self) -> Iterator[list[tuple[int, int]]]:
         """Yield all ways out, those straight on from one together with it."""
         further: dict[tuple[int, int], tuple[int, int]] = {}

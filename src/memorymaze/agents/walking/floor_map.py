@@ -151,6 +151,14 @@ class Crossing:
                 best, least = index, angle
         return best
 
+    def open_exits(self) -> list[tuple[int, float]]:
+        """Return the exits that are not closed, with their headings."""
+        return [
+            (index, each)
+            for index, each in enumerate(self.exits)
+            if index not in self.closed
+        ]
+
 
 @dataclass(frozen=True, slots=True)
 class Stretch:
@@ -362,9 +370,8 @@ class FloorMap:
     def ways_out(self) -> Iterator[tuple[int, int]]:
         """Yield all ways that are not closed, as crossing and exit."""
         for number, crossing in self.crossings.items():
-            for exit in range(len(crossing.exits)):
-                if exit not in crossing.closed:
-                    yield number, exit
+            for exit, _ in crossing.open_exits():
+                yield number, exit
 
     def distances_from(self, start: int) -> dict[int, float]:
         """Return the metres along walked stretches from one crossing to all others."""

@@ -120,7 +120,7 @@ def _as_asked_for(tokens: list[str]) -> str:
         looks, said = sign["looks"] or "", sign["said"] or sign["says"]
         if said:
             return f"{looks}sign that says {said}"
-        hangs = "hanging " if sign["hangs"] and "hang" in sign["hangs"] else ""
+        hangs = "hanging " if "hang" in sign["hangs"] else ""
         return f"{looks}{hangs}sign"
     tokens = phrase.split()
     head = len(_BINDING.split(phrase, maxsplit=1)[0].split()) - 1
