@@ -107,6 +107,17 @@ def test_any_description_gets_a_score_between_0_and_1(
         assert 0.0 <= match_score(request, thing) <= 1.0
 
 
+@pytest.mark.parametrize("name", ["boardroom", "board room", "Board Room"])
+def test_a_name_is_found_in_full_whether_written_in_one_word_or_in_two(
+    name: str,
+) -> None:
+    door = ObjectDescription("door", name="Board Room")
+    others = [ObjectDescription("door", name="Meeting Room 2120")]
+    others += [ObjectDescription("sign", text="Board Room \u2192")]
+    assert match_score(name, door) == 1.0
+    assert all(match_score(name, each) < 1.0 for each in others)
+
+
 def test_score_falls_with_the_distance_of_the_kind() -> None:
     sofa = ObjectDescription("sofa")
     scores = [match_score(words, sofa) for words in ("couch", "seat", "furniture")]

@@ -80,10 +80,15 @@ def match_score(request: str, description: ObjectDescription) -> float:
     (1.0, 0.0)
     """
     whole = words_of(without_lead_in(request))
-    if len(whole) > 1:
-        for known in (description.name, description.text):
-            if known and words_of(known) == whole and not points_elsewhere(known):
-                return 1.0
+    for known in (description.name, description.text):
+        written = words_of(known or "")
+        # "boardroom" is the Board Room.
+        if (
+            max(len(whole), len(written)) > 1
+            and "".join(written) == "".join(whole)
+            and not points_elsewhere(known or "")
+        ):
+            return 1.0
     return max(_phrase_score(phrase, description) for phrase in parse_request(request))
 
 
