@@ -390,6 +390,23 @@ def test_a_wrong_side_is_believed_once_the_one_told_proves_a_dead_end() -> None:
     assert best.weights[1].sum() > best.weights[0].sum()
 
 
+def test_a_turn_is_likelier_told_to_the_wrong_side_if_it_is_the_first() -> None:
+    tee: dict[Cell, Sequence[float]] = {(0, 0): (EAST,), (1, 0): (NORTH, SOUTH, WEST)}
+    first = Grid(tee).walk(*tee)
+    later: dict[Cell, Sequence[float]] = {
+        (0, 0): (EAST,),
+        (1, 0): (NORTH, WEST),
+        (1, 1): (EAST, WEST, SOUTH),
+    }
+    second = Grid(later).walk(*later)
+    told_first = _shares(_believe("At the T turn left.", first))
+    told_later = _shares(
+        _believe("At the corner turn left. At the T turn left.", second)
+    )
+    wrong = told_first[first.exit(1, 0, SOUTH)]
+    assert wrong > told_later[second.exit(1, 1, EAST)] > 0
+
+
 def test_a_turn_that_is_not_there_is_left_out_in_the_end() -> None:
     cells: dict[Cell, Sequence[float]] = {
         (0, 0): (EAST,),

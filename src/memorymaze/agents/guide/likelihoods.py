@@ -42,6 +42,8 @@ class Likelihoods:
     """Of a turn left out where one could go on (an error)."""
     wrong_side: float = 0.03
     """Of a turn told to the wrong side (an error)."""
+    wrong_first_side: float = 0.075
+    """The same of the first turn: who tells the way does not know how the robot stands."""
     no_turn: float = 0.05
     """Of a turn told that there is not (an error)."""
     no_bend: float = 0.06
