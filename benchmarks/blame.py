@@ -61,7 +61,7 @@ NEUTRAL: Mapping[str, tuple[tuple[object, str, Callable[..., object]], ...]] = {
         (recognising.Recognition, "seen", lambda *_: 1.0),
         (arriving.Arrivals, "_ahead", lambda *_: iter(())),
     ),
-    "signs": ((belief.Belief, "_hint", lambda *_: 1.0),),
+    "signs": ((belief.Belief, "_by_signs", lambda _, segment, *__: segment.weights),),
     "plain turn": ((said_of_legs.SaidOfLegs, "plain_turn_fits", lambda *_: False),),
 }
 """What stands for each kind of evidence where it is to say nothing."""

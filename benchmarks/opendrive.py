@@ -44,7 +44,7 @@ ON_ROUTE = 0.1
 """Metres between the points of a route, and of an edge of the navigation graph."""
 ON_LANE = 0.05
 """Metres that a point may lie beside a lane and count as on it."""
-EXAMPLES = Path(__file__).parents[1] / "tests" / "importing" / "data"
+EXAMPLES = Path(__file__).parents[1] / "tests" / "world" / "importing" / "data"
 
 Way = tuple[int, int, int]
 """A road, a junction and a road."""

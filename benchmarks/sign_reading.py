@@ -27,7 +27,6 @@ from memorymaze.robot.perception.eyes import Eyes, SignSource
 from memorymaze.robot.perception.sign_reading import PICTURE_SIZE
 from memorymaze.robot.simulation.robot import SimulatedRobot
 from memorymaze.robot.simulation.scene import Scene, build_scene
-from memorymaze.robot.simulation.senses.sight_targets import inscription
 from memorymaze.world.sites import BUILTIN_SITE_NAMES, Site, load_site
 from memorymaze.world.sites.records import Door, Landmark
 
@@ -129,8 +128,8 @@ def standpoints(scene: Scene) -> Iterator[Standpoint]:
         record = thing.record
         if not isinstance(record, Door | Landmark):
             continue
-        written = inscription(scene, geom)
-        if written is None:
+        text = record.label if isinstance(record, Door) else record.text
+        if not text:
             continue
         x, y, _ = scene.model.geom_pos[geom]
         turn, _, _, rise = scene.model.geom_quat[geom]
@@ -144,10 +143,10 @@ def standpoints(scene: Scene) -> Iterator[Standpoint]:
         )
         found = next(
             (
-                Standpoint(record.id, written.text, pose, angle)
+                Standpoint(record.id, text, pose, angle)
                 for angle, pose in poses
                 if free.contains(Point(pose.x, pose.y))
-                and _is_in_view(scene, pose, written.text)
+                and _is_in_view(scene, pose, text)
             ),
             None,
         )
