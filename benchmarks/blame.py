@@ -20,13 +20,28 @@ import numpy as np
 from benchmarks.decisions import Moment, watched_walks
 from benchmarks.made_walks import ToldWay, made_walks_parser, told_by
 from memorymaze.agents.guide import arriving, belief, recognising, said_of_legs
-from memorymaze.agents.guide.alignments import Frontier
+from memorymaze.agents.guide.alignments import Frontier, Segment
 from memorymaze.agents.guide.arriving import Ending
 from memorymaze.agents.guide.choosing import Choice
+from memorymaze.agents.guide.likelihoods import Weights
 from memorymaze.agents.guide.things import Things
 from memorymaze.basics.tables import Column, Table
 
 ARRIVED = 3.0
+
+
+def _any_turn(_: object, angle: float) -> float:
+    return 1.0 if abs(angle) > 0.26 else 0.0
+
+
+def _as_before(_: object, weights: Weights, *__: object) -> Weights:
+    return weights
+
+
+def _without_signs(_: object, segment: Segment, *__: object) -> Weights:
+    return segment.weights
+
+
 NEUTRAL: Mapping[str, tuple[tuple[object, str, Callable[..., object]], ...]] = {
     "length": (
         (said_of_legs, "length_ratio", lambda *_: 1.0),
@@ -49,11 +64,9 @@ NEUTRAL: Mapping[str, tuple[tuple[object, str, Callable[..., object]], ...]] = {
         (said_of_legs, "junction_ratio", lambda *_: 1.0),
         (arriving, "junction_ratio", lambda *_: 1.0),
     ),
-    "angle": (
-        (belief, "way_ratio", lambda _, angle: 1.0 if abs(angle) > 0.26 else 0.0),
-    ),
+    "angle": ((belief, "way_ratio", _any_turn),),
     "things": (
-        (Things, "weigh", lambda _, weights, *__: weights),
+        (Things, "weigh", _as_before),
         (Things, "so_far", lambda *_: 1.0),
         (Things, "ahead", lambda *_: 1.0),
     ),
@@ -61,7 +74,7 @@ NEUTRAL: Mapping[str, tuple[tuple[object, str, Callable[..., object]], ...]] = {
         (recognising.Recognition, "seen", lambda *_: 1.0),
         (arriving.Arrivals, "_ahead", lambda *_: iter(())),
     ),
-    "signs": ((belief.Belief, "_by_signs", lambda _, segment, *__: segment.weights),),
+    "signs": ((belief.Belief, "_by_signs", _without_signs),),
     "plain turn": ((said_of_legs.SaidOfLegs, "plain_turn_fits", lambda *_: False),),
 }
 """What stands for each kind of evidence where it is to say nothing."""
@@ -99,8 +112,8 @@ class _Witness:
                 self._note(now.choice, "stopped", step)
         elif now.at_goal and now.arrives:
             self._note(now.choice, "left the place", step)
-        elif isinstance(step, Frontier) and now.right is not None:
-            right = now.choice._tellings.frontiers.get(now.right)  # pyright: ignore
+        elif now.right is not None:
+            right = now.choice._tellings.frontiers.get(now.right)  # pyright: ignore[reportPrivateUsage]
             if right is not None and (step.at, step.exit) != now.right:
                 self._note(now.choice, "turned", step, right)
 
@@ -111,7 +124,7 @@ class _Witness:
         step: Frontier | Ending | None,
         right: Frontier | None = None,
     ) -> None:
-        tellings = choice._tellings  # pyright: ignore
+        tellings = choice._tellings  # pyright: ignore[reportPrivateUsage]
         if right is None or not isinstance(step, Frontier):
             self.found = FirstMistake(what, math.nan)
             return
@@ -167,9 +180,8 @@ def main() -> int:
     mistakes = ("turned", "stopped", "left the place", "none")
     columns = [Column("kind", "Building", role="label"), Column("n", "n")]
     columns += [Column("lost", "lost"), *(Column(each, each) for each in mistakes)]
-    print(
-        Table("The first mistake of walks that were lost", tuple(columns), rows).text()
-    )
+    title = "The first mistake of walks that were lost"
+    print(Table(title, tuple(columns), tuple(rows)).text())
     turned = [(ok, found) for _, ok, found in walks if found and found.nats]
     rows = []
     for name in (PRICE, *NEUTRAL):
@@ -185,7 +197,7 @@ def main() -> int:
         columns.append(Column(f"{label} nats", f"{label}: nats", digits=2))
         columns.append(Column(f"{label} mended", "mended without it"))
     title = f"What made {len(turned)} wrong ways the better ones"
-    print(Table(title, tuple(columns), rows).text())
+    print(Table(title, tuple(columns), tuple(rows)).text())
     return 0
 
 

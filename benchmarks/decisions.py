@@ -14,6 +14,8 @@ from shapely import Point
 from benchmarks.made_walks import ToldWay
 from benchmarks.plan_walks import given_plans
 from memorymaze.agents.guide.agent import GuideAgent, GuideOptions
+from memorymaze.agents.guide.alignments import Frontier
+from memorymaze.agents.guide.arriving import Ending
 from memorymaze.agents.guide.choosing import Choice
 from memorymaze.agents.walking.floor_map import FloorMap
 from memorymaze.robot.simulation.robot import SimulatedRobot
@@ -30,6 +32,8 @@ DECIDE = Choice.best
 
 Way = tuple[int, int]
 """A crossing on the guide's map, and an exit of it."""
+Step = Frontier | Ending | None
+"""A way that is new, or a place to arrive at; None where nothing is left."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +41,7 @@ class Moment:
     """A decision of the guide, beside what is so."""
 
     choice: Choice
-    step: object
+    step: Step
     """What it decided."""
     right: Way | None
     """The way that it should walk next, which it may have to go back to; None where that
@@ -78,7 +82,7 @@ class Guidepost:
                     passed.append((name, float(s)))
         return passed
 
-    def look(self, choice: Choice, step: object) -> Moment:
+    def look(self, choice: Choice, step: Step) -> Moment:
         """Return a decision beside what is so."""
         walker = choice._walker  # pyright: ignore[reportPrivateUsage]
         x, y, _ = self._robot.pose
@@ -128,13 +132,13 @@ class _Watching:
         self._told, self._see = told, see
         self._post: Guidepost | None = None
 
-    def begin(self, robot: SimulatedRobot, _: object) -> None:
+    def begin(self, robot: SimulatedRobot, trace: object) -> None:
         self._post = Guidepost(self._told, robot)
 
     def told(self) -> None:
         """Nothing is to be done when a trace has grown."""
 
-    def best(self, choice: Choice) -> object:
+    def best(self, choice: Choice) -> Step:
         """Decide as the guide does, and show it."""
         step = DECIDE(choice)
         if self._post is not None:
@@ -155,7 +159,11 @@ def watched_walks(
     arenas = {name: Arena(site) for name, site in sites.items()}
     for each, episode in zip(told, corpus.episodes, strict=True):
         watching = _Watching(each, see)
-        with patch.object(Choice, "best", lambda choice, w=watching: w.best(choice)):
+
+        def best(choice: Choice, watching: _Watching = watching) -> Step:
+            return watching.best(choice)
+
+        with patch.object(Choice, "best", best):
             arena = arenas[each.site.name]
             run = run_episode(agent, episode, arena, plan.settings, watching)
         yield each, run.result.success

@@ -199,7 +199,7 @@ class Fit:
 
 def _walked(task: tuple[BuildingKind, str, int, int, Path]) -> list[Snapshot]:
     kind, speakers, made, seed, folder = task
-    floors = {kind: floor_seeds(seed, made)}
+    floors: dict[BuildingKind, range] = {kind: floor_seeds(seed, made)}
     told = list(told_ways(floors, speakers, 1, seed, folder / f"{speakers}-{seed}"))
     return snapshots(told, seed, speakers)
 
@@ -216,7 +216,7 @@ def main() -> int:
     options = parser.parse_args()
     options.out.mkdir(parents=True, exist_ok=True)
     log = options.out / "fit.jsonl"
-    tasks = [
+    tasks: list[tuple[BuildingKind, str, int, int, Path]] = [
         (kind, speakers, options.made, options.seed + number, options.out)
         for number, speakers in enumerate(SPEAKERS)
         for kind in BUILDING_KINDS

@@ -60,7 +60,7 @@ def odd_angles(site: Site) -> Sequence[float]:
         for way, other in combinations(point.exits, 2):
             between = math.degrees(abs(turn_between(way.heading, other.heading)))
             found.append(abs((between + 45) % 90 - 45))
-    return [100 * np.mean([angle > 5 for angle in found])]
+    return [100 * float(np.mean([angle > 5 for angle in found]))]
 
 
 def sight_lines(site: Site) -> Sequence[float]:

@@ -181,7 +181,7 @@ def main() -> int:
         share("false", "false arrivals", "lower"),
     )
     notes = (f"made floors, plans by made-up speakers ({options.speakers})",)
-    print(Table("Right plans on made floors", columns, rows, notes).text())
+    print(Table("Right plans on made floors", columns, tuple(rows), notes).text())
     return 0
 
 

@@ -92,7 +92,8 @@ def write_map(
         row, column = rng.choice(np.argwhere(free))
         half = round(0.25 / resolution)
         free[row - half : row + half, column - half : column + half] = False
-    beside = ndimage.distance_transform_edt(~free) * resolution
+    apart = np.asarray(ndimage.distance_transform_edt(~free), dtype=np.float64)
+    beside = apart * resolution
     unseen = _waves(size, 1.0 / resolution, rng)
     seen = unseen > np.quantile(unseen, noise.missing_wall)
     cells = np.where(free, FREE, UNKNOWN).astype(np.uint8)
@@ -229,7 +230,7 @@ def main() -> None:
         Column(name, name, digits=1 if number == 0 else 0)
         for number, name in enumerate(VALUES)
     ]
-    print(Table("", (*labels, *values), rows).markdown())
+    print(Table("", (*labels, *values), tuple(rows)).markdown())
 
 
 if __name__ == "__main__":

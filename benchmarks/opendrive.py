@@ -29,6 +29,7 @@ import networkx as nx
 import numpy as np
 import shapely
 from shapely import LineString, Polygon, STRtree, union_all
+from shapely.geometry.base import BaseGeometry
 
 from memorymaze.world.construction import BUILDING_KINDS, make_building
 from memorymaze.world.exporting.opendrive import LANE_TYPES, LaneType, opendrive
@@ -60,7 +61,7 @@ class CarlaLane:
     number: int
     junction: int | None
     kind: str
-    floor: Polygon
+    floor: BaseGeometry
     leads_to: frozenset[tuple[int, int]]
     """Roads and lanes that follow at its end, the way one goes on it."""
 
@@ -98,7 +99,7 @@ class CarlaReading:
     @cached_property
     def pieces(self) -> dict[int, Any]:
         """Floor of each road that is in no junction, and of each junction, by id."""
-        found: dict[int, list[Polygon]] = defaultdict(list)
+        found: dict[int, list[BaseGeometry]] = defaultdict(list)
         for lane in self.lanes:
             found[lane.junction or lane.road].append(lane.floor)
         # CARLA's numbers are single precision, which leaves cracks between lanes.
@@ -127,10 +128,11 @@ class CarlaReading:
         pairs = {(each.road, road) for each in self.lanes for road, _ in each.leads_to}
         return {frozenset((piece[one], piece[other])) for one, other in pairs}
 
-    def beside_lane(self, x: float, y: float, kind: int) -> float:
+    def beside_lane(self, x: float, y: float, kind: carla.LaneType) -> float:
         """Return how far CARLA's own answer for a point lies beside its lane, metres."""
         here = carla.Location(x=x, y=-y, z=0.0)
         found = self.map.get_waypoint(here, project_to_road=True, lane_type=kind)
+        assert found is not None  # projected to a road
         away = found.transform.location.distance(here)
         return max(0.0, away - found.lane_width / 2)
 
@@ -157,6 +159,7 @@ class CarlaReading:
                 for one, other in pairwise(borders)
             ]
             last = points[-1 if lane < 0 else 0]
+            assert last is not None  # the places are on the road
             yield CarlaLane(
                 number,
                 lane,
@@ -269,7 +272,7 @@ def graph_ways(site: Site, reading: CarlaReading) -> tuple[set[Way], set[Pair]]:
         nx.add_path(points, chain)
         for place, piece in tree.query(places, predicate="intersects").T.tolist():
             on[chain[place]].add(names[piece])
-    junctions = {lane.junction for lane in reading.lanes} - {None}
+    junctions = {each.junction for each in reading.lanes if each.junction is not None}
     ways: set[Way] = set()
     for junction in junctions:
         inside = points.subgraph([each for each in points if junction in on[each]])

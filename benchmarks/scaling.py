@@ -13,11 +13,12 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Iterator
+from collections.abc import Generator
 from contextlib import contextmanager, redirect_stderr
 from pathlib import Path
 
 from benchmarks.measuring import Row
+from memorymaze.basics.extras import is_installed
 from memorymaze.runs.episodes.plan import RunPlan, plan_run
 from memorymaze.runs.episodes.settings import AgentSettings, RunSettings
 from memorymaze.runs.work.driver import run_plan
@@ -115,11 +116,9 @@ def throughput(plan: RunPlan, workforce: Workforce) -> tuple[float, float]:
 
 
 @contextmanager
-def ray_workforce(workers: int) -> Iterator[Workforce | None]:
+def ray_workforce(workers: int) -> Generator[Workforce | None]:
     """Start a Ray cluster on this machine; None where Ray is not installed."""
-    try:
-        import ray  # noqa: F401
-    except ModuleNotFoundError:
+    if not is_installed("ray"):
         print("scaling: ray is not installed; its rows are left out", file=sys.stderr)
         yield None
         return

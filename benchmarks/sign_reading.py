@@ -72,7 +72,8 @@ class Tally:
 
 def run() -> list[Row]:
     rows: list[Row] = []
-    for source, target in (("ocr", 0.8), ("truth", None)):
+    targets: dict[SignSource, float | None] = {"ocr": 0.8, "truth": None}
+    for source, target in targets.items():
         facing, slanted, seconds = Tally(), Tally(), []
         for name in BUILTIN_SITE_NAMES:
             measure(load_site(name), source, EVERY, facing, slanted, seconds)

@@ -58,8 +58,8 @@ class Layer(nn.Module):
     def __init__(self) -> None:
         """Make it, with weights by chance."""
         super().__init__()
-        for name in ("query", "key", "value", "output"):
-            setattr(self, name, nn.Linear(SIZE, SIZE))
+        self.query, self.key = nn.Linear(SIZE, SIZE), nn.Linear(SIZE, SIZE)
+        self.value, self.output = nn.Linear(SIZE, SIZE), nn.Linear(SIZE, SIZE)
         self.norm = nn.LayerNorm(SIZE, eps=1e-12)
         self.inner, self.outer = nn.Linear(SIZE, INNER), nn.Linear(INNER, SIZE)
         self.last_norm = nn.LayerNorm(SIZE, eps=1e-12)
