@@ -80,14 +80,11 @@ def match_score(request: str, description: ObjectDescription) -> float:
     (1.0, 0.0)
     """
     whole = words_of(without_lead_in(request))
-    for known in (description.name, description.text):
-        written = words_of(known or "")
-        # "boardroom" is the Board Room.
-        if (
-            max(len(whole), len(written)) > 1
-            and "".join(written) == "".join(whole)
-            and not points_elsewhere(known or "")
-        ):
+    for known in filter(None, (description.name, description.text)):
+        written = words_of(known)
+        # "boardroom" is the Board Room; "library" alone may be any.
+        in_full = "".join(written) == "".join(whole) and len(whole + written) > 2
+        if in_full and not points_elsewhere(known):
             return 1.0
     return max(_phrase_score(phrase, description) for phrase in parse_request(request))
 
