@@ -17,7 +17,7 @@ from unittest.mock import patch
 
 import numpy as np
 
-from benchmarks.decisions import Moment, watched_walks
+from benchmarks.decisions import Moment, Step, watched_walks
 from benchmarks.made_walks import ToldWay, made_walks_parser, told_by
 from memorymaze.agents.guide import arriving, belief, recognising, said_of_legs
 from memorymaze.agents.guide.alignments import Frontier, Segment
@@ -121,7 +121,7 @@ class _Witness:
         self,
         choice: Choice,
         what: str,
-        step: Frontier | Ending | None,
+        step: Step,
         right: Frontier | None = None,
     ) -> None:
         tellings = choice._tellings  # pyright: ignore[reportPrivateUsage]

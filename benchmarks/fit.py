@@ -197,7 +197,11 @@ class Fit:
         return _values(best)
 
 
-def _walked(task: tuple[BuildingKind, str, int, int, Path]) -> list[Snapshot]:
+_Task = tuple[BuildingKind, str, int, int, Path]
+"""Kind of building, speakers, floors of it, seed, and the folder for what is made."""
+
+
+def _walked(task: _Task) -> list[Snapshot]:
     kind, speakers, made, seed, folder = task
     floors: dict[BuildingKind, range] = {kind: floor_seeds(seed, made)}
     told = list(told_ways(floors, speakers, 1, seed, folder / f"{speakers}-{seed}"))
@@ -216,7 +220,7 @@ def main() -> int:
     options = parser.parse_args()
     options.out.mkdir(parents=True, exist_ok=True)
     log = options.out / "fit.jsonl"
-    tasks: list[tuple[BuildingKind, str, int, int, Path]] = [
+    tasks: list[_Task] = [
         (kind, speakers, options.made, options.seed + number, options.out)
         for number, speakers in enumerate(SPEAKERS)
         for kind in BUILDING_KINDS

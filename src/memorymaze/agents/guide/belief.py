@@ -337,7 +337,7 @@ class Belief:
         looks = faces(self.plan, number)
         around = leg.turn.way == "around"
         anew = looks or around
-        side = self.model.wrong_side if number else self.model.wrong_first_side
+        wrong_side = self.model.wrong_side if number else self.model.wrong_first_side
         ways = choices.ways
         if anew:
             ways = [
@@ -351,7 +351,7 @@ class Belief:
             elif around:
                 fine = 1.5 if abs(angle) > BACK else 0.0
             elif not fine:
-                wrong = side * (1.0 if abs(angle) > 0.26 else 0.5)
+                wrong = wrong_side * (1.0 if abs(angle) > 0.26 else 0.5)
             fine *= self.things.outlook_ratio(segment.at, index, number + 1)
             signs = self._by_signs(segment, index, choices)
             weights = then(signs, fine, wrong, self.model.again)
