@@ -312,6 +312,9 @@ def test_it_draws_what_the_camera_sees_and_closes_twice(make_tiny: MakeTiny) -> 
         pytest.param({"settings": {"seed": 3}}, "no use for seed", id="seed"),
         pytest.param({"settings": {"signs": "ocr"}}, "no use for signs", id="signs"),
         pytest.param({"settings": {"ask": 1}}, "no use for ask", id="ask"),
+        pytest.param(
+            {"settings": {"budget_by": "longest"}}, "no use for budget_by", id="time"
+        ),
         pytest.param({"sensors": ("sonar",)}, "rgb, depth, lidar", id="sensor"),
         pytest.param({"sensors": "rgb"}, "in a list", id="sensors as text"),
         pytest.param({"sensors": {"width": 0}}, "width", id="width"),

@@ -40,6 +40,11 @@ ENVIRONMENTS: dict[str, str | None] = {
     "MemoryMaze/Site-v0": None,
 }
 """Site of each environment; None where the user gives it as `site=`."""
+WITHOUT_USE = (
+    *("seed", "limit", "shard", "second_telling", "budget_by", "wall_limit"),
+    *("ask", "detector", "signs", "isolate"),
+)
+"""Settings of a run that mean nothing in an environment."""
 
 
 def _arena(site: str | Path, settings: RunSettings) -> Arena:
@@ -300,14 +305,13 @@ def _settings_of_an_environment(
     if not isinstance(settings, RunSettings):
         settings = with_choices(plain, settings or {})
     without_use = [
-        name
-        for name in ("seed", "limit", "second_telling", "ask", "detector", "signs")
-        if getattr(settings, name) != getattr(plain, name)
+        name for name in WITHOUT_USE if getattr(settings, name) != getattr(plain, name)
     ]
     if without_use:
         raise SettingsError(
-            f"settings: an environment has no use for {', '.join(without_use)}: "
-            "seeds and episodes are chosen by reset(), and nothing is detected"
+            f"settings: an environment has no use for {', '.join(without_use)}: seeds and "
+            "episodes are chosen by reset(), time is told by max_steps or time_budget, and "
+            "nothing is detected or asked"
         )
     return settings
 

@@ -128,6 +128,24 @@ def test_comparing_takes_two_runs_that_are_there(tmp_path: Path) -> None:
         mm.compare(tmp_path, tmp_path)
 
 
+@pytest.mark.parametrize(
+    ("use", "said"),
+    [
+        (lambda: mm.load_run(None), "folder: expected a run folder, got None"),
+        (lambda: mm.compare(5, 6), "compare: expected runs or run folders, got 5"),
+        (
+            lambda: mm.evaluate(Fails(), 5),
+            "corpus: expected instruction files, .* got 5",
+        ),
+    ],
+)
+def test_what_is_neither_a_run_nor_a_corpus_is_refused_by_its_name(
+    use: Callable[[], object], said: str
+) -> None:
+    with pytest.raises(SettingsError, match=said):
+        use()
+
+
 def test_frames_of_runs_stand_below_each_other_with_typed_columns(
     write: Callable[..., Path], result: Callable[..., EpisodeResult]
 ) -> None:

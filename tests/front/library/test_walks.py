@@ -3,6 +3,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from tests.runs.episodes import own_bodies
 
 import memorymaze as mm
 from memorymaze.basics.errors import SettingsError, SitePlanError
@@ -100,9 +101,47 @@ def test_a_robot_by_hand_says_where_it_is(corridor: Path) -> None:
     assert "3.0 m driven" in repr(robot)
 
 
-def test_a_robot_by_hand_has_nobody_who_answers(corridor: Path) -> None:
-    with pytest.raises(SettingsError, match="ask: expected none for a robot driven"):
-        mm.make_robot(corridor, ask=1)
+@pytest.mark.parametrize(
+    "choice", [{"ask": 1}, {"isolate": True}, {"budget_by": "longest"}]
+)
+def test_a_robot_by_hand_takes_no_setting_of_those_who_follow(
+    corridor: Path, choice: dict[str, Any]
+) -> None:
+    with pytest.raises(SettingsError, match=f"{next(iter(choice))}: expected none"):
+        mm.make_robot(corridor, **choice)
+
+
+def test_a_robot_by_hand_sees_with_the_detector_that_was_chosen(corridor: Path) -> None:
+    sees, is_blind = (
+        mm.make_robot(corridor, detector=detector)
+        for detector in ("truth", "truth:miss=1")
+    )
+    for robot in (sees, is_blind):
+        robot.move_forward(4.0)
+    assert sees.detect_from_RGB_image("bench")
+    assert not is_blind.detect_from_RGB_image("bench")
+
+
+def test_a_robot_by_hand_has_the_body_that_was_chosen(corridor: Path) -> None:
+    robot = mm.make_robot(corridor, robot=f"{own_bodies.__name__}:Localised")
+    robot.close()
+    assert own_bodies.opened[-1].closed == 1
+
+
+def test_the_same_seed_gives_a_robot_by_hand_and_one_of_an_agent_the_same_way(
+    corridor: Path,
+) -> None:
+    robot = mm.make_robot(corridor, seed=3)
+    robot.move_forward(8.0)
+    driven = robot.trajectory().poses
+    followed = mm.follow("Go.", Ahead, site=corridor, seed=3).trajectory.poses
+    assert driven == followed[: len(driven)]
+
+
+def test_a_robot_by_hand_has_as_much_time_as_it_is_given(corridor: Path) -> None:
+    robot = mm.make_robot(corridor, time_budget=2.0)
+    assert robot.move_forward(8.0).reason == "budget"
+    assert robot.time == pytest.approx(2.0)
 
 
 @pytest.mark.parametrize(

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from memorymaze.basics.errors import SettingsError
 from memorymaze.basics.extras import require_extra
+from memorymaze.basics.options import check_kind
 from memorymaze.basics.tables import Table
 from memorymaze.language.models.model_settings import ModelSettings
 from memorymaze.runs.episodes.agent_catalogue import AgentChoice
@@ -183,7 +184,9 @@ def load_run(folder: str | Path, *, exclude_dev: bool = False) -> Run:
 
     Raises:
         RunFolderError: It is no run folder, is damaged, or has no result yet.
+        SettingsError: It is no folder's name.
     """
+    check_kind("folder", folder, str | Path, "a run folder")
     return load_runs([folder], Run, exclude_dev=exclude_dev)[0]
 
 
@@ -191,11 +194,13 @@ def compare(*runs: Run | str | Path, exclude_dev: bool = False) -> Comparison:
     """Compare runs on the episodes that they share; the first is the baseline.
 
     Raises:
-        SettingsError: There are fewer than two.
+        SettingsError: There are fewer than two, or one is neither a run nor a folder.
         RunFolderError: One is no run folder.
     """
     if len(runs) < 2:
         raise SettingsError(f"compare: expected two runs or more, got {len(runs)}")
+    for run in runs:
+        check_kind("compare", run, Run | str | Path, "runs or run folders")
     folders = [run.folder if isinstance(run, Run) else run for run in runs]
     return Comparison(tuple(load_runs(folders, Run, exclude_dev=exclude_dev)))
 

@@ -1,27 +1,28 @@
 """One robot in a building, and one instruction followed by an agent."""
 
+import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from memorymaze.basics.errors import SettingsError
-from memorymaze.basics.options import check_whole
 from memorymaze.language.models.model_settings import ModelSettings
 from memorymaze.robot.simulation.robot import SimulatedRobot
-from memorymaze.robot.simulation.scene import build_scene
 from memorymaze.runs.episodes.agent_catalogue import AgentChoice
+from memorymaze.runs.episodes.arena import Arena, checked_eyes
+from memorymaze.runs.episodes.bodies import find_body
 from memorymaze.runs.episodes.named_settings import with_choices
 from memorymaze.runs.episodes.navigation import (
     draw_navigation,
+    instruction_on,
     navigate,
     write_navigation,
 )
+from memorymaze.runs.episodes.seeds import seeds_of
 from memorymaze.runs.episodes.settings import RunSettings
 from memorymaze.runs.episodes.trace import plain_entries
-from memorymaze.world.looks import OWN
+from memorymaze.texts.corpus.corpus import episodes
 from memorymaze.world.sites import Route, Site, load_site
 
 if TYPE_CHECKING:
@@ -33,6 +34,8 @@ if TYPE_CHECKING:
 
 OF_MANY_EPISODES = ("limit", "shard", "split", "second_telling", "wall_limit")
 """Settings that say which episodes a run has, and how long one waits for each."""
+OF_AN_AGENT = ("ask", "isolate", "budget_by")
+"""Settings that mean nothing where nobody follows an instruction."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -146,7 +149,6 @@ def make_robot(
     site: Site | str | Path,
     route: str = "R1",
     *,
-    seed: int = 0,
     settings: RunSettings | None = None,
     **choices: Any,
 ) -> SimulatedRobot:
@@ -158,29 +160,41 @@ def make_robot(
     Args:
         site: The building: loaded, or by name or file.
         route: Gives the start: `R1`, or the id of a way.
-        seed: Of wheels and sensors.
-        settings: Abilities, noise, things and people in the way; defaults when None.
+        settings: What the robot can do, what sees and reads for it, its body, noise,
+            things and people in the way, seed and time; defaults when None, with time
+            without end.
         **choices: Settings to change, as for `follow`.
 
     Raises:
         MemoryMazeError: Something that was given cannot be used.
     """
-    check_whole("seed", seed, least=0)
     building = site if isinstance(site, Site) else load_site(site)
     chosen = _of_one_walk(settings, choices)
-    if chosen.ask is not None:
+    unused = [name for name in OF_AN_AGENT if _is_changed(chosen, name)]
+    if unused:
         raise SettingsError(
-            f"ask: expected none for a robot driven by hand, got {chosen.ask}; people "
-            "answer an agent only: use follow(), and obstacles to drive among them"
+            f"{', '.join(unused)}: expected none for a robot driven by hand; people answer "
+            "an agent only, and who drives ends the walk: use follow(), obstacles to drive "
+            "among people, or time_budget"
         )
-    return SimulatedRobot(
-        build_scene(building, chosen.obstacles),
-        building.find_route(route).start,
-        chosen.simulation,
-        np.random.default_rng(seed),
-        lidar=None if chosen.noise is None else chosen.noise.lidar,
-        odometry=None if chosen.noise is None else chosen.noise.odometry,
-        looks=chosen.looks or OWN,
+    arena = Arena(
+        building,
+        chosen.obstacles,
+        checked_eyes(chosen),
+        chosen.looks,
+        body=find_body(chosen.robot),
+        noise=chosen.noise,
+    )
+    way = building.find_route(route)
+    told = instruction_on(building, way, "driven by hand")
+    [episode] = episodes([told], {building.name: building})
+    seeds = seeds_of(chosen.seed, episode.id)
+    return arena.robot(
+        episode,
+        replace(chosen.simulation, time_budget=chosen.time_budget or math.inf),
+        seeds.robot,
+        lambda event: None,
+        seeds.detector,
     )
 
 
@@ -188,12 +202,15 @@ def _of_one_walk(
     settings: RunSettings | None, choices: Mapping[str, Any]
 ) -> RunSettings:
     """Return settings with some changed; refuse by name what means nothing here."""
-    plain = RunSettings()
-    chosen = with_choices(plain if settings is None else settings, choices)
+    chosen = with_choices(RunSettings() if settings is None else settings, choices)
     for name in OF_MANY_EPISODES:
-        if name in choices or getattr(chosen, name) != getattr(plain, name):
+        if name in choices or _is_changed(chosen, name):
             raise SettingsError(
                 f"setting {name}: is of runs of many episodes, and this is one walk, got "
                 f"{getattr(chosen, name)}; leave it out, or use evaluate()"
             )
     return chosen
+
+
+def _is_changed(settings: RunSettings, name: str) -> bool:
+    return getattr(settings, name) != getattr(RunSettings(), name)

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from memorymaze.basics.errors import InstructionFileError, SettingsError, did_you_mean
 from memorymaze.basics.input_files import refusal
+from memorymaze.basics.options import check_kind
 from memorymaze.texts.corpus.files import (
     BUILTIN_CORPUS,
     Findings,
@@ -36,7 +37,8 @@ def load_corpus(
     Raises:
         InstructionFileError: A file cannot be used; names file and line.
         SitePlanError: A plan cannot be used.
-        SettingsError: Sites are given for a folder that has its own.
+        SettingsError: The source is none of these, or sites are given for a folder that
+            has its own.
     """
     if (
         isinstance(source, Sequence)
@@ -44,6 +46,8 @@ def load_corpus(
         and len(source) == 1
     ):
         [source] = source
+    wanted = "instruction files, a folder, or None for the shipped texts"
+    check_kind("corpus", source, str | Path | Sequence | None, wanted)
     if source is None:
         name, files = "memorymaze", [BUILTIN_CORPUS]
     elif isinstance(source, str | Path) and Path(source).is_dir():
