@@ -17,9 +17,7 @@ FEWEST_METRES, MOST_METRES = 120.0, 400.0
 PATIENCE = 2.0
 """Times as long as that, while there is no place that it takes for the destination."""
 WAYS = 2.2
-"""Times the way told that the robot walks at most, once it knows a place to end at."""
-SURELY_TOLD = 0.8
-"""Share of its expected length that a way told has in most cases."""
+"""Times the way told that there is time to walk."""
 SHORT_WALK = 80.0
 """Metres that are never too many."""
 
@@ -71,7 +69,6 @@ class Choice:
         self._tellings = tellings
         self._walker = walker
         self._goes_back = goes_back
-        self._told = max(map(expected_metres, plans))
         self._searches = all(each.tells_place_alone for each in plans)
         self._limit = max(map(_walk_limit, plans))
 
@@ -85,14 +82,16 @@ class Choice:
         self._searches = self._searches and plan.tells_place_alone
         self._limit = max(self._limit, self._walker.travelled + _walk_limit(plan))
 
-    def value(self, choice: Frontier | Ending) -> float:
+    def value(self, choice: _Step) -> float:
         """Return the logarithm of a probability, less what the way there costs."""
-        metres = self._distances.get(choice.at, math.inf)
-        mass = choice.mass
+        metres, mass = self._metres_to(choice), choice.mass
         if isinstance(choice, Ending):
-            metres += choice.distance
-            mass = self.mass_about(choice)
+            mass = self._mass_here(choice)
         return math.log(max(mass, 1e-300)) - self.patience.metre_back * metres
+
+    def _metres_to(self, choice: _Step) -> float:
+        metres = self._distances.get(choice.at, math.inf)
+        return metres + choice.distance if isinstance(choice, Ending) else metres
 
     def mass_about(self, ending: Ending) -> float:
         """Sum the belief in places to arrive at that are as good as this one."""
@@ -102,17 +101,19 @@ class Choice:
             self._masses[ending.place] = sum(each.mass for each in near)
         return self._masses[ending.place]
 
+    def _mass_here(self, ending: Ending) -> float:
+        """Return the most belief in a place that is one with this one."""
+        near = endings_at(self._tellings.endings, ending.place)
+        return max(self.mass_about(each) for each in near)
+
     def _is_enough(self, ending: Ending, frontier: Frontier) -> bool:
-        """Tell whether what going on may still show is worth less than stopping."""
-        chance = self.chance(ending)
+        """Tell whether a place is likely enough to walk no other way."""
         enough = self.patience.stops
         if self._misses_name(ending):
             enough = self.patience.unseen
         elif ending.sighting is None and not self._tellings.is_told:
             enough = self.patience.untold
-        if chance < enough and self._is_hope(frontier):
-            return False
-        return self.value(ending) >= self.value(frontier)
+        return self.chance(ending) >= enough or not self._is_hope(frontier)
 
     def _is_hope(self, frontier: Frontier) -> bool:
         """Tell whether the best way on is worth walking, or in a search all that are left."""
@@ -132,16 +133,19 @@ class Choice:
 
     def chance(self, ending: Ending) -> float:
         """Return how likely a place is the one to arrive at."""
-        return min(self.mass_about(ending) / self._tellings.total, 1.0)
+        return min(self._mass_here(ending) / self._tellings.total, 1.0)
 
     def best(self) -> _Step | None:
         """Return what to do next; None where nothing is left."""
         frontier, ending = self.best_frontier(), self.best_ending()
         if frontier is None:
             return ending
-        if self._too_far_for(frontier, ending):
+        walked = self._walker.travelled + self._metres_to(frontier) + LEG_METRES
+        if walked > self._limit * PATIENCE:
             return ending
-        if ending is not None and self._is_enough(ending, frontier):
+        if ending is None or self.value(ending) < self.value(frontier):
+            return frontier
+        if self._is_enough(ending, frontier) or self._is_too_late(ending, walked):
             return ending
         return frontier
 
@@ -153,32 +157,27 @@ class Choice:
         return max(ways, key=self.value, default=None)
 
     def best_ending(self) -> Ending | None:
-        """Return the place to arrive at that is worth most; None where there is none."""
-        best = max(self._tellings.endings, key=self.value, default=None)
+        """Return the likeliest place to arrive at; None where there is none."""
+        best = max(self._tellings.endings, key=self.mass_about, default=None)
         if best is None or best.mass <= 0.0:
             return None
         near = endings_at(self._tellings.endings, best.place)
         return max(near, key=lambda each: each.mass)
 
-    def _too_far_for(self, frontier: Frontier, ending: Ending | None) -> bool:
-        """Tell whether after one more stretch there is no time to come back.
+    def _is_too_late(self, ending: Ending, walked: float) -> bool:
+        """Tell whether there is no time to come back to a place after so many metres.
 
-        There is time for a small multiple of the way told; if a place seen already is the
-        one, the way told is the way to it, if one was told.
+        If the place is the one, the way told is the way to it, and there is time for a small
+        multiple of that.
         """
-        back, limit = 0.0, self._limit * PATIENCE
-        if ending is not None and self.claims(ending):
-            back = self._distances.get(ending.at, math.inf) + ending.distance
-            begun = self._tellings.all[0].starts[0].at
-            way = self._walker.map.distances_from(begun).get(ending.at)
-            if self._searches:
-                limit = self._limit
-            elif way is not None:
-                told = SURELY_TOLD * self._told
-                enough = WAYS * max(way + ending.distance, told)
-                limit = min(limit, max(enough, SHORT_WALK))
-        further = self._distances.get(frontier.at, math.inf) + LEG_METRES
-        return self._walker.travelled + further + back > limit
+        if not self.claims(ending):
+            return False
+        limit = self._limit
+        begun = self._tellings.all[0].starts[0].at
+        way = self._walker.map.distances_from(begun).get(ending.at)
+        if way is not None and not self._searches:
+            limit = max(WAYS * (way + ending.distance), SHORT_WALK)
+        return walked + self._metres_to(ending) > limit
 
 
 def _walk_limit(plan: RoutePlan) -> float:
