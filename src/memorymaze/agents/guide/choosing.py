@@ -13,9 +13,9 @@ from memorymaze.agents.walking.walker import Walker
 from memorymaze.language.plans import RoutePlan
 
 FEWEST_METRES, MOST_METRES = 120.0, 400.0
-"""Bounds of the walk after which the agent stops at the best place it knows."""
+"""Bounds of the walk after which a search ends at the best place it knows."""
 PATIENCE = 2.0
-"""Times as long as that, while there is no place that it takes for the destination."""
+"""Times as long as that, after which every walk does."""
 WAYS = 2.2
 """Times the way told that there is time to walk."""
 SHORT_WALK = 80.0
