@@ -10,8 +10,7 @@ from memorymaze.basics.errors import SettingsError
 from memorymaze.language.models.model_settings import ModelSettings
 from memorymaze.robot.simulation.robot import SimulatedRobot
 from memorymaze.runs.episodes.agent_catalogue import AgentChoice
-from memorymaze.runs.episodes.arena import Arena, checked_eyes
-from memorymaze.runs.episodes.bodies import find_body
+from memorymaze.runs.episodes.arena import arenas_of
 from memorymaze.runs.episodes.named_settings import with_choices
 from memorymaze.runs.episodes.navigation import (
     draw_navigation,
@@ -177,19 +176,11 @@ def make_robot(
             "an agent only, and who drives ends the walk: use follow(), obstacles to drive "
             "among people, or time_budget"
         )
-    arena = Arena(
-        building,
-        chosen.obstacles,
-        checked_eyes(chosen),
-        chosen.looks,
-        body=find_body(chosen.robot),
-        noise=chosen.noise,
-    )
-    way = building.find_route(route)
+    name, way = building.name, building.find_route(route)
     told = instruction_on(building, way, "driven by hand")
-    [episode] = episodes([told], {building.name: building})
+    [episode] = episodes([told], {name: building})
     seeds = seeds_of(chosen.seed, episode.id)
-    return arena.robot(
+    return arenas_of(chosen, {name: building})[name].robot(
         episode,
         replace(chosen.simulation, time_budget=chosen.time_budget or math.inf),
         seeds.robot,

@@ -135,10 +135,14 @@ class Arena:
         )
 
 
-def arenas_of(settings: RunDefinition, sites: Mapping[str, Site]) -> dict[str, Arena]:
-    """Return the arenas of a run, where this machine has what they need."""
-    eyes = checked_eyes(settings)
-    people = model_of_people(settings, settings.agent)
+def arenas_of(settings: RunSettings, sites: Mapping[str, Site]) -> dict[str, Arena]:
+    """Return the arenas of a run, where this machine has what they need.
+
+    Settings without an agent have no model that plays people.
+    """
+    eyes, people = checked_eyes(settings), None
+    if isinstance(settings, RunDefinition):
+        people = model_of_people(settings, settings.agent)
     body = find_body(settings.robot)
     obstacles, looks, noise = settings.obstacles, settings.looks, settings.noise
     return {
