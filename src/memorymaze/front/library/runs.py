@@ -186,7 +186,6 @@ def load_run(folder: str | Path, *, exclude_dev: bool = False) -> Run:
         RunFolderError: It is no run folder, is damaged, or has no result yet.
         SettingsError: It is no folder's name.
     """
-    check_kind("folder", folder, str | Path, "a run folder")
     return load_runs([folder], Run, exclude_dev=exclude_dev)[0]
 
 

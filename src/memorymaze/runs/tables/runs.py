@@ -92,10 +92,10 @@ def load_runs(
     Raises:
         RunFolderError: A folder is no run, or has no result to show.
     """
-    read = [(Path(folder), *read_run(folder)) for folder in folders]
-    labels = [method_label(record.settings, results) for _, record, results in read]
+    read = [(*read_run(folder), Path(folder)) for folder in folders]
+    labels = [method_label(record.settings, results) for record, results, _ in read]
     runs: list[SomeRun] = []
-    for label, (folder, record, results) in zip(labels, read, strict=True):
+    for label, (record, results, folder) in zip(labels, read, strict=True):
         shown = [r for r in results if not (exclude_dev and r.split == "dev")]
         if not shown:
             raise RunFolderError(f"{folder}: has no results to show yet")

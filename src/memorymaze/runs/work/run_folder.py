@@ -31,6 +31,7 @@ from memorymaze.basics.durable_files import (
 )
 from memorymaze.basics.errors import RunFolderError, RunFolderWarning, SettingsError
 from memorymaze.basics.input_files import LARGEST_FILE, parse_json
+from memorymaze.basics.options import check_kind
 from memorymaze.runs.episodes.provenance import CodeStamp
 from memorymaze.runs.episodes.results import (
     EpisodeResult,
@@ -134,6 +135,7 @@ def open_run_folder(
 
 def read_run(path: str | Path) -> tuple[RunRecord, list[EpisodeResult]]:
     """Read a run, also one that is still being written; one in parts is read as a whole."""
+    check_kind("folder", path, str | Path, "a run folder")
     path = Path(path)
     parts = [] if (path / "run.json").is_file() else parts_in(path)
     if parts:
