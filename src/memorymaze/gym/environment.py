@@ -300,13 +300,10 @@ def _settings_of_an_environment(
     given: RunSettings | Mapping[str, Any] | None,
 ) -> RunSettings:
     """Return the settings that were given, or the defaults; refuse those without a use."""
-    plain = RunSettings()
     settings = given
     if not isinstance(settings, RunSettings):
-        settings = with_choices(plain, settings or {})
-    without_use = [
-        name for name in WITHOUT_USE if getattr(settings, name) != getattr(plain, name)
-    ]
+        settings = with_choices(RunSettings(), settings or {})
+    without_use = settings.changed(WITHOUT_USE)
     if without_use:
         raise SettingsError(
             f"settings: an environment has no use for {', '.join(without_use)}: seeds and "

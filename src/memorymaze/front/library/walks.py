@@ -14,14 +14,13 @@ from memorymaze.runs.episodes.arena import arenas_of
 from memorymaze.runs.episodes.named_settings import with_choices
 from memorymaze.runs.episodes.navigation import (
     draw_navigation,
-    instruction_on,
+    episode_on,
     navigate,
     write_navigation,
 )
 from memorymaze.runs.episodes.seeds import seeds_of
 from memorymaze.runs.episodes.settings import RunSettings
 from memorymaze.runs.episodes.trace import plain_entries
-from memorymaze.texts.corpus.corpus import episodes
 from memorymaze.world.sites import Route, Site, load_site
 
 if TYPE_CHECKING:
@@ -169,17 +168,16 @@ def make_robot(
     """
     building = site if isinstance(site, Site) else load_site(site)
     chosen = _of_one_walk(settings, choices)
-    unused = [name for name in OF_AN_AGENT if _is_changed(chosen, name)]
+    unused = chosen.changed(OF_AN_AGENT)
     if unused:
         raise SettingsError(
             f"{', '.join(unused)}: expected none for a robot driven by hand; people answer "
             "an agent only, and who drives ends the walk: use follow(), obstacles to drive "
             "among people, or time_budget"
         )
-    name, way = building.name, building.find_route(route)
-    told = instruction_on(building, way, "driven by hand")
-    [episode] = episodes([told], {name: building})
+    episode = episode_on(building, building.find_route(route), "driven by hand")
     seeds = seeds_of(chosen.seed, episode.id)
+    name = building.name
     return arenas_of(chosen, {name: building})[name].robot(
         episode,
         replace(chosen.simulation, time_budget=chosen.time_budget or math.inf),
@@ -194,14 +192,11 @@ def _of_one_walk(
 ) -> RunSettings:
     """Return settings with some changed; refuse by name what means nothing here."""
     chosen = with_choices(RunSettings() if settings is None else settings, choices)
+    changed = chosen.changed(OF_MANY_EPISODES)
     for name in OF_MANY_EPISODES:
-        if name in choices or _is_changed(chosen, name):
+        if name in choices or name in changed:
             raise SettingsError(
                 f"setting {name}: is of runs of many episodes, and this is one walk, got "
                 f"{getattr(chosen, name)}; leave it out, or use evaluate()"
             )
     return chosen
-
-
-def _is_changed(settings: RunSettings, name: str) -> bool:
-    return getattr(settings, name) != getattr(RunSettings(), name)

@@ -29,7 +29,7 @@ from memorymaze.runs.episodes.trace_entries import (
     TraceEntry,
 )
 from memorymaze.texts.corpus.corpus import episodes
-from memorymaze.texts.corpus.records import Instruction
+from memorymaze.texts.corpus.records import Episode, Instruction
 from memorymaze.world.drawing.shapes import Met, ThingInTheWay
 from memorymaze.world.sites import Route, Site
 
@@ -81,8 +81,7 @@ def navigate(
     check_people(settings, chosen)
     ready = chosen.make(isolate=settings.isolate, kept_from=[site.source])
     definition = define_run(chosen.settings, settings, chosen.needs, [site])
-    told = instruction_on(site, route, text)
-    [episode] = episodes([told], {site.name: site})
+    episode = episode_on(site, route, text)
     if arena is None:
         arena = arenas_of(definition, {site.name: site})[site.name]
     return run_episode(
@@ -95,15 +94,17 @@ def navigate(
     )
 
 
-def instruction_on(site: Site, route: Route, text: str) -> Instruction:
-    """Return a text as the instruction that describes a route."""
-    return Instruction(
+def episode_on(site: Site, route: Route, text: str) -> Episode:
+    """Return the episode of a text as the instruction that describes a route."""
+    told = Instruction(
         id=f"{site.name}-{route.id}",
         site=site.name,
         route=route.route,
         text=text,
         reference_route=route.id,
     )
+    [episode] = episodes([told], {site.name: site})
+    return episode
 
 
 def _met_in(trace: Iterable[TraceEntry]) -> Met:

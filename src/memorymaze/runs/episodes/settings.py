@@ -1,7 +1,7 @@
 """What determines the results of a run, checked, compared and kept in `run.json`."""
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import asdict, dataclass, field
 from typing import Any, Literal
 
@@ -231,6 +231,11 @@ class RunSettings:
         if self.ask is not None:
             return "people"
         return "default" if self.obstacles is None else "obstacles"
+
+    def changed(self, names: Iterable[str]) -> list[str]:
+        """Return those of these settings that are not as they are by default."""
+        plain = RunSettings()
+        return [each for each in names if getattr(self, each) != getattr(plain, each)]
 
     def check_budget(self, of_corpus: float | None = None) -> None:
         """Refuse a time budget beside `budget_by`; one that comes with a corpus may be."""

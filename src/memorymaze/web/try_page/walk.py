@@ -17,12 +17,11 @@ from memorymaze.basics.errors import MemoryMazeError, RenderingError
 from memorymaze.basics.geometry.pose import Pose, wrap_angle
 from memorymaze.robot.simulation.robot import SimulatedRobot
 from memorymaze.runs.episodes.arena import Arena, checked_eyes
-from memorymaze.runs.episodes.navigation import instruction_on, navigate
+from memorymaze.runs.episodes.navigation import episode_on, navigate
 from memorymaze.runs.episodes.settings import AgentSettings, RunSettings
 from memorymaze.runs.episodes.trace_entries import CallEntry, NoteEntry, TraceEntry
 from memorymaze.runs.story.onlooker import Onlooker, Present
 from memorymaze.runs.story.understanding import understood
-from memorymaze.texts.corpus.corpus import episodes
 from memorymaze.web.serving.live_camera import seen_ahead, seen_all_round
 from memorymaze.web.try_page.words import (
     FOLLOWERS,
@@ -103,8 +102,7 @@ class RobotToTry:
 
     def _robot_at_start(self, arena: Arena, turn: float) -> SimulatedRobot:
         route = self.site.find_route(self.route)
-        told = instruction_on(self.site, route, "Look round.")
-        [episode] = episodes([told], {self.site.name: self.site})
+        episode = episode_on(self.site, route, "Look round.")
         x, y, heading = episode.start
         turned = replace(episode, start=Pose(x, y, wrap_angle(heading + turn)))
         rng = np.random.default_rng(self.settings.seed)
