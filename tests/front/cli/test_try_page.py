@@ -25,6 +25,14 @@ Memorymaze = Callable[..., Any]
         pytest.param(
             ["--ask", "1", "--with", "passers_by=model"], "on this page", id="people"
         ),
+        pytest.param(
+            ["--with", "looks=nowhere.glb"], "which is no file here", id="no such looks"
+        ),
+        pytest.param(
+            ["--with", "detector=nowhere:Detector"],
+            "cannot be imported",
+            id="no detector",
+        ),
         pytest.param(["--host", "192.0.2.1"], "cannot be served", id="not our address"),
     ],
 )

@@ -70,8 +70,10 @@ def _run(options: argparse.Namespace) -> None:
     from memorymaze.basics.errors import SettingsError
     from memorymaze.language.models.model_settings import ModelSettings
     from memorymaze.runs.episodes.agent_catalogue import choose_agent
+    from memorymaze.runs.episodes.arena import checked_eyes
     from memorymaze.runs.episodes.named_settings import model_settings
     from memorymaze.runs.episodes.settings import AgentSettings
+    from memorymaze.world.looks.catalogue import check_looks
     from memorymaze.world.sites import load_site, load_sites
 
     check_can_serve("the page to try")
@@ -106,8 +108,11 @@ def _run(options: argparse.Namespace) -> None:
             "options of an agent: expected with --agent, got them alone"
         )
     plans = [site.source for site in sites.values()]
+    # What cannot be made is refused before a visitor waits for it.
+    checked_eyes(settings)
+    if settings.looks is not None:
+        check_looks(settings.looks)
     for agent in (GUIDE, *beside):
-        # What cannot be made is refused before a visitor waits for it.
         choose_agent(agent).make(isolate=settings.isolate, kept_from=plans)
     hosts = THIS_MACHINE if options.host in THIS_MACHINE else None
     with Visits(settings, beside, most=options.robots) as visits:
