@@ -10,7 +10,7 @@ from memorymaze.basics.errors import SettingsError
 from memorymaze.language.models.model_settings import ModelSettings
 from memorymaze.robot.simulation.robot import SimulatedRobot
 from memorymaze.runs.episodes.agent_catalogue import AgentChoice
-from memorymaze.runs.episodes.arena import arenas_of
+from memorymaze.runs.episodes.arena import arena_of
 from memorymaze.runs.episodes.named_settings import with_choices
 from memorymaze.runs.episodes.navigation import (
     draw_navigation,
@@ -177,8 +177,7 @@ def make_robot(
         )
     episode = episode_on(building, building.find_route(route), "driven by hand")
     seeds = seeds_of(chosen.seed, episode.id)
-    name = building.name
-    return arenas_of(chosen, {name: building})[name].robot(
+    return arena_of(chosen, building).robot(
         episode,
         replace(chosen.simulation, time_budget=chosen.time_budget or math.inf),
         seeds.robot,

@@ -151,6 +151,11 @@ def arenas_of(settings: RunSettings, sites: Mapping[str, Site]) -> dict[str, Are
     }
 
 
+def arena_of(settings: RunSettings, site: Site) -> Arena:
+    """Return the arena of a single building."""
+    return arenas_of(settings, {site.name: site})[site.name]
+
+
 def checked_eyes(settings: RunSettings) -> Eyes:
     """Return eyes that can be used here."""
     eyes = Eyes(settings.detector, settings.signs)

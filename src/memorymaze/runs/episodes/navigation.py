@@ -15,7 +15,7 @@ from memorymaze.basics.errors import RunFolderError, SettingsError
 from memorymaze.basics.options import check_kind
 from memorymaze.language.models.model_settings import ModelSettings
 from memorymaze.runs.episodes.agent_catalogue import AgentChoice, choose_agent
-from memorymaze.runs.episodes.arena import Arena, arenas_of, checked_eyes
+from memorymaze.runs.episodes.arena import Arena, arena_of, checked_eyes
 from memorymaze.runs.episodes.episode import EpisodeRun, Watcher, run_episode
 from memorymaze.runs.episodes.in_words import outcome_line
 from memorymaze.runs.episodes.people_to_ask import check_people
@@ -83,7 +83,7 @@ def navigate(
     definition = define_run(chosen.settings, settings, chosen.needs, [site])
     episode = episode_on(site, route, text)
     if arena is None:
-        arena = arenas_of(definition, {site.name: site})[site.name]
+        arena = arena_of(definition, site)
     return run_episode(
         ready.in_episode(episode),
         episode,

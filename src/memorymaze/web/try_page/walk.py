@@ -16,7 +16,7 @@ from memorymaze.agents.notes import BeliefNote, PlanNote, StepsNote
 from memorymaze.basics.errors import MemoryMazeError, RenderingError
 from memorymaze.basics.geometry.pose import Pose, wrap_angle
 from memorymaze.robot.simulation.robot import SimulatedRobot
-from memorymaze.runs.episodes.arena import Arena, arenas_of
+from memorymaze.runs.episodes.arena import Arena, arena_of
 from memorymaze.runs.episodes.navigation import episode_on, navigate
 from memorymaze.runs.episodes.settings import AgentSettings, RunSettings
 from memorymaze.runs.episodes.trace_entries import CallEntry, NoteEntry, TraceEntry
@@ -85,7 +85,7 @@ class RobotToTry:
 
     def __call__(self, connection: Connection) -> None:
         """Look round; then follow one text after another."""
-        [arena] = arenas_of(self.settings, {self.site.name: self.site}).values()
+        arena = arena_of(self.settings, self.site)
         blind = ""
         try:
             strip = seen_all_round(lambda turn: self._robot_at_start(arena, turn))
