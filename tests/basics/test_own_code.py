@@ -65,6 +65,7 @@ def test_modules_are_found_where_python_finds_them(
 def test_installed_agents_and_those_that_come_along_have_no_files_beside_them() -> None:
     assert list(own_files("numpy.linalg:norm")) == ["__init__.py"]
     assert own_files("guide") == {}
+    assert own_files("memorymaze.agents.guide.agent:GuideAgent") == {}
 
 
 def test_a_file_that_is_no_python_is_an_agents_own_all_the_same(tmp_path: Path) -> None:

@@ -24,7 +24,7 @@ from memorymaze.basics.input_files import FileStamp, stamp_file
 from memorymaze.basics.options import parse_options
 
 INSTALLED = {"site-packages", "dist-packages"}
-OURS = Path(__file__).parent
+OURS = Path(__file__).parents[1]
 """Of what is in here the stamp of the code tells."""
 
 
