@@ -77,6 +77,7 @@ def test_what_is_left_out_is_told_with_ids(lantern_building):
         pytest.param("-1", None, {-1}, id="below the ground"),
         pytest.param("0;2", None, {0, 2}, id="two"),
         pytest.param("1-3", None, {1, 2, 3}, id="from to"),
+        pytest.param("0-2.5", None, {0, 1, 2, 2.5}, id="to half a storey"),
         pytest.param("-2--1", None, {-2, -1}, id="from to below the ground"),
         pytest.param("0.5", "4-5", {0.5, 4, 5}, id="repeated"),
         pytest.param("first", None, set(), id="no number"),

@@ -46,7 +46,7 @@ class Element:
                 if not match:
                     continue
                 low, high = float(match[1]), float(match[2] or match[1])
-                steps = min(math.floor(high - low), MOST_LEVELS)
+                steps = min(math.ceil(high - low), MOST_LEVELS)
                 found |= {low, high, *(low + step for step in range(1, steps))}
         return found
 
