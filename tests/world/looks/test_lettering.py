@@ -5,6 +5,7 @@ from hypothesis import strategies as st
 from PIL import Image
 
 from memorymaze.world.looks.boards import exit_board, pictogram_board, sign_board
+from memorymaze.world.looks.displays import DISPLAYS, Display
 from memorymaze.world.looks.lettering import Field, fitted, write
 from memorymaze.world.sites import load_sites
 
@@ -112,3 +113,13 @@ def test_pictograms_differ():
     for number, first in enumerate(signs):
         for second in signs[number + 1 :]:
             assert (first != second).mean() > 0.02
+
+
+@pytest.mark.parametrize(
+    ("text", "shows"), [("Men", True), ("Women →", True), ("Menu", False)]
+)
+def test_a_sign_shows_a_pictogram_for_the_whole_word_alone(text: str, shows: bool):
+    ground = (0.1, 0.3, 0.7)
+    on = Display(0.4, 0.4, text, "sign", ground, None, 0)
+    plain = sign_board(0.4, 0.4, text, ground)
+    assert np.array_equal(DISPLAYS["picture:sign"](on), plain) != shows

@@ -26,6 +26,22 @@ SMALLEST_PICTURE, LARGEST_PICTURE = 128, 512
 Pictogram = Literal[
     "woman", "man", "wheelchair", "running", "cross", "heart", "stroller", "flame"
 ]
+PICTOGRAMS: dict[str, tuple[Pictogram, ...]] = {
+    "wheelchair": ("wheelchair",),
+    "accessible": ("wheelchair",),
+    "women": ("woman",),
+    "ladies": ("woman",),
+    "men": ("man",),
+    "gentlemen": ("man",),
+    "restroom": ("woman", "man"),
+    "first aid": ("cross",),
+    "first aid room": ("cross",),
+    "stroller": ("stroller",),
+    "baby care": ("stroller",),
+    "nursing": ("woman", "stroller"),
+    "nursing room": ("woman", "stroller"),
+}
+"""Words that stand under pictograms."""
 FINER = 4
 """Pictograms are drawn larger by this factor, then reduced, for smooth edges."""
 _Point = tuple[float, float]

@@ -1,11 +1,13 @@
 """What surfaces show that are drawn for each thing: words, posters, screens, maps."""
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
 
 from memorymaze.basics.signposts import signposts
 from memorymaze.world.looks import artwork
 from memorymaze.world.looks.boards import (
+    PICTOGRAMS,
     Pictogram,
     blank_board,
     exit_board,
@@ -18,18 +20,6 @@ from memorymaze.world.looks.materials import (
     SAFETY_GREEN,
     Pixels,
     Rgb,
-)
-
-PEOPLE_SIGNS: tuple[tuple[str, tuple[Pictogram, ...]], ...] = (
-    ("wheelchair", ("wheelchair",)),
-    ("accessible", ("wheelchair",)),
-    ("women", ("woman",)),
-    ("ladies", ("woman",)),
-    ("men", ("man",)),
-    ("gentlemen", ("man",)),
-    ("first aid", ("cross",)),
-    ("stroller", ("stroller",)),
-    ("nursing", ("woman", "stroller")),
 )
 
 
@@ -93,9 +83,9 @@ def _world_map(on: Display) -> Pixels:
 
 
 def _pictograms(text: str) -> tuple[Pictogram, ...]:
-    words = text.lower()
-    for word, pictograms in PEOPLE_SIGNS:
-        if words.startswith(word):
+    """Return those for the words that a text begins with."""
+    for words, pictograms in PICTOGRAMS.items():
+        if re.match(rf"{words}\b", text, re.IGNORECASE):
             return pictograms
     return ()
 

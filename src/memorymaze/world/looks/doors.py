@@ -12,7 +12,7 @@ import numpy as np
 
 from memorymaze.basics.errors import SettingsError
 from memorymaze.world.looks.assembly import Assembly, ObjectModel, built
-from memorymaze.world.looks.boards import Pictogram, pictogram_board, sign_board
+from memorymaze.world.looks.boards import PICTOGRAMS, pictogram_board, sign_board
 from memorymaze.world.looks.materials import (
     LEAD,
     STEEL,
@@ -46,17 +46,6 @@ CASING = 0.07
 CASING_FRONT = 0.034
 AJAR_DEG = 100.0
 """How far an open leaf is swung into the room."""
-PICTOGRAMS: dict[str, tuple[Pictogram, ...]] = {
-    "women": ("woman",),
-    "men": ("man",),
-    "restroom": ("woman", "man"),
-    "accessible": ("wheelchair",),
-    "first aid": ("cross",),
-    "first aid room": ("cross",),
-    "baby care": ("stroller",),
-    "nursing room": ("stroller",),
-}
-"""Labels that stand under a pictogram."""
 
 
 def is_seen_through(door: Door) -> bool:
