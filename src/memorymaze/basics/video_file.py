@@ -18,6 +18,7 @@ from tqdm import tqdm
 from memorymaze.basics.durable_files import replaced_when_whole
 from memorymaze.basics.errors import SettingsError
 from memorymaze.basics.extras import require_extra
+from memorymaze.basics.options import check_number
 
 if TYPE_CHECKING:
     import av
@@ -115,11 +116,7 @@ def check_picture(about: str, size: tuple[int, int], smallest: int) -> None:
 def check_ranges(settings: object, about: str, **ranges: tuple[float, float]) -> None:
     """Refuse settings out of their ranges; SettingsError names the first one."""
     for name, (lowest, highest) in ranges.items():
-        value = getattr(settings, name)
-        if not lowest <= value <= highest:
-            raise SettingsError(
-                f"{about}: expected {name} from {lowest:g} to {highest:g}, got {value!r}"
-            )
+        check_number(f"{about} {name}", getattr(settings, name), lowest, highest)
 
 
 def check_target(path: str | Path, ending: str, about: str) -> Path:

@@ -160,8 +160,9 @@ def test_a_film_that_is_broken_off_leaves_the_old_one_alone(
     ("settings", "said"),
     [
         ({"size": (9000, 48)}, "16 to 4096"),
-        ({"fps": 0}, "fps from 1 to 120"),
-        ({"height": 5}, "height from"),
+        ({"fps": "20"}, r"fps: expected a number from 1 to 120, got .20."),
+        ({"fps": 0}, "fps: expected a number from 1 to 120"),
+        ({"height": 5}, "height: expected a number from"),
     ],
 )
 def test_settings_without_meaning_are_refused(

@@ -75,8 +75,10 @@ def test_the_camera_shows_the_people_of_the_episode(
     [
         pytest.param({"size": (321, 240)}, "even numbers", id="odd size"),
         pytest.param({"size": (64, 64)}, "from 240", id="small"),
-        pytest.param({"fps": 0.0}, "fps from 1", id="no frames"),
-        pytest.param({"speed": float("nan")}, "speed from 0.1", id="speed"),
+        pytest.param({"fps": 0.0}, "fps: expected", id="no frames"),
+        pytest.param(
+            {"speed": float("nan")}, "speed: expected a number from 0.1", id="speed"
+        ),
     ],
 )
 def test_settings_without_meaning_are_refused(

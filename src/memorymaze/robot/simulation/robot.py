@@ -31,7 +31,7 @@ from memorymaze.robot.simulation.senses.odometry import OdometrySettings
 from memorymaze.robot.simulation.senses.turning_points import AnnotatedTurningPoints
 from memorymaze.robot.simulation.settings import SimulationSettings
 from memorymaze.robot.steering.calls import CallEnd, TraceEvent
-from memorymaze.robot.steering.commands import check_speeds
+from memorymaze.robot.steering.commands import check_speeds, seconds_to_stand
 from memorymaze.robot.steering.driving import TimeIsUp
 from memorymaze.robot.steering.guide_robot import GuideRobot
 from memorymaze.robot.steering.turning_points import TurningPointSource
@@ -183,8 +183,7 @@ class SimulatedRobot(GuideRobot):
         Raises:
             CommandError: The time has no meaning.
         """
-        if not (math.isfinite(seconds) and seconds >= 0):
-            raise CommandError(f"wait: expected 0 or more seconds, got {seconds!r}")
+        stood = seconds_to_stand(seconds)
         if self._log.stopped_by is not None:
             return 0.0
         before = self._driver.standing_time
@@ -192,10 +191,10 @@ class SimulatedRobot(GuideRobot):
             self._pilot.come_to_rest()
             self._driver.come_to_rest()
             if self.surroundings is None:
-                self._body.rest(seconds)
-                self._driver.note_rest(seconds)
+                self._body.rest(stood)
+                self._driver.note_rest(stood)
             else:
-                self._driver.stand(seconds)
+                self._driver.stand(stood)
         except TimeIsUp:
             self._log.stopped_by = "budget"
         self._body.sample()

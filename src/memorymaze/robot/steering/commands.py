@@ -97,6 +97,14 @@ def metres_ahead(call: str, distance: object) -> float:
     )
 
 
+def seconds_to_stand(seconds: object) -> float:
+    """Return a time to stand still."""
+    number = _finite(seconds)
+    if number is not None and number >= 0:
+        return number
+    raise CommandError(f"wait: expected 0 or more seconds, got {_told(seconds)}")
+
+
 def radians_to_turn(angle: object) -> float:
     """Return an angle to turn by."""
     radians = _finite(angle)

@@ -3,14 +3,14 @@
 import math
 import os
 import sys
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from memorymaze.basics.errors import RenderingError, SettingsError
+from memorymaze.basics.errors import RenderingError
 from memorymaze.basics.geometry.pose import Pose
+from memorymaze.basics.options import check_number
 from memorymaze.basics.physics_engine import mujoco
 from memorymaze.basics.robot_size import CAMERA_HEIGHT
 from memorymaze.world.cameras.open_gl import filter_fast, open_context
@@ -25,6 +25,8 @@ from memorymaze.world.sites.scene_objects import SceneObject
 
 NOTHING = -1
 """In `instances`: the sky."""
+WIDEST = 3.1
+"""Radians of the widest field of view; half a turn has no picture."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -291,17 +293,9 @@ def check_camera(
     multisamples: int,
 ) -> None:
     """Refuse what no camera can be; lengths in metres, the field of view in radians."""
-    rules: Sequence[tuple[bool, str, object]] = (
-        (1 <= width <= LARGEST_PICTURE, f"a width of 1 to {LARGEST_PICTURE}", width),
-        (1 <= height <= LARGEST_PICTURE, f"a height of 1 to {LARGEST_PICTURE}", height),
-        (
-            0 < horizontal_fov < math.pi,
-            "a horizontal_fov between 0 and pi radians",
-            horizontal_fov,
-        ),
-        (0 < near < far < math.inf, "0 < near < far", (near, far)),
-        (0 <= multisamples <= 32, "0 to 32 multisamples", multisamples),
-    )
-    for holds, expected, got in rules:
-        if not holds:
-            raise SettingsError(f"camera: expected {expected}, got {got!r}")
+    check_number("camera width", width, 1, LARGEST_PICTURE, whole=True)
+    check_number("camera height", height, 1, LARGEST_PICTURE, whole=True)
+    check_number("camera horizontal_fov", horizontal_fov, most=WIDEST, above=0)
+    check_number("camera near", near, above=0)
+    check_number("camera far", far, above=near)
+    check_number("camera multisamples", multisamples, 0, 32, whole=True)
