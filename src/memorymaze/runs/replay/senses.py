@@ -8,7 +8,7 @@ from PIL import Image, ImageDraw
 
 from memorymaze.basics.errors import RunFolderError
 from memorymaze.basics.geometry.pose import turn_between
-from memorymaze.basics.physics_engine import mujoco
+from memorymaze.basics.physics_engine import about_z, mujoco
 from memorymaze.robot.simulation.cameras import visual_scene_of
 from memorymaze.robot.simulation.scene import Scene
 from memorymaze.robot.simulation.senses.lidar import Lidar, LidarSettings
@@ -123,9 +123,8 @@ class Scans:
         """
         for name, pose in {**self._things, **moment.people}.items():
             row = self._scene.mocap_ids[name]
-            half = pose.heading / 2
             self._data.mocap_pos[row] = (pose.x, pose.y, self._heights[name] / 2)
-            self._data.mocap_quat[row] = (math.cos(half), 0, 0, math.sin(half))
+            self._data.mocap_quat[row] = about_z(pose.heading)
         mujoco.mj_kinematics(self._scene.model, self._data)
         points = self._lidar.scan(moment.pose, moment.time).points()
         return points + np.array([0.0, 0.0, self._height])

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from memorymaze.basics.geometry.pose import Pose
-from memorymaze.basics.physics_engine import mujoco
+from memorymaze.basics.physics_engine import about_z, mujoco
 from memorymaze.world.cameras.mujoco_model import SpecAssembler
 from memorymaze.world.cameras.sky import FACES, sky_dome, sky_faces
 from memorymaze.world.looks.building import (
@@ -81,11 +81,10 @@ class VisualScene:
                 self.centres[geoms] = NOWHERE
         for name, pose in places.items():
             self.centres[self.movable_geoms[name]] = (pose.x, pose.y)
-            half = pose.heading / 2
             for part, height in ((name, 0.0), (_shadow_of(name), SHADOW_HEIGHT)):
                 body = self.model.body_mocapid[self.model.body(part).id]
                 self.data.mocap_pos[body] = (pose.x, pose.y, height)
-                self.data.mocap_quat[body] = (math.cos(half), 0, 0, math.sin(half))
+                self.data.mocap_quat[body] = about_z(pose.heading)
         if self.movable_geoms:
             mujoco.mj_kinematics(self.model, self.data)
 

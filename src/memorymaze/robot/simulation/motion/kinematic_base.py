@@ -14,7 +14,7 @@ from shapely.geometry.base import BaseGeometry
 
 from memorymaze.basics.geometry.points import XY
 from memorymaze.basics.geometry.pose import Pose, wrap_angle
-from memorymaze.basics.physics_engine import mujoco
+from memorymaze.basics.physics_engine import about_z, mujoco
 from memorymaze.basics.robot_size import ROBOT_RADIUS
 from memorymaze.robot.simulation.motion.wheeled_base import WHEEL_OFFSET, WheelErrors
 from memorymaze.robot.simulation.settings import TIMESTEP, SimulationSettings
@@ -167,7 +167,6 @@ class KinematicBase:
     def update_view(self) -> None:
         """See `WheeledBase.update_view`."""
         x, y, heading = self.pose
-        half = heading / 2
-        self.data.qpos[:7] = (x, y, 0, math.cos(half), 0, 0, math.sin(half))
+        self.data.qpos[:7] = (x, y, 0, *about_z(heading))
         mujoco.mj_kinematics(self._model, self.data)
         mujoco.mj_camlight(self._model, self.data)

@@ -11,7 +11,7 @@ import numpy as np
 
 from memorymaze.basics.geometry.points import XY
 from memorymaze.basics.geometry.pose import Pose
-from memorymaze.basics.physics_engine import mujoco
+from memorymaze.basics.physics_engine import about_z, mujoco
 from memorymaze.basics.robot_size import CAMERA_HEIGHT, ROBOT_RADIUS
 from memorymaze.robot.simulation.settings import TIMESTEP, SimulationSettings
 
@@ -168,8 +168,7 @@ class WheeledBase:
         address = int(model.jnt_qposadr[model.body("robot").jntadr[0]])
         if address != 0:
             raise RuntimeError("the robot's free joint is expected to come first")
-        half = start.heading / 2
-        self._qpos[:7] = (start.x, start.y, 0, math.cos(half), 0, 0, math.sin(half))
+        self._qpos[:7] = (start.x, start.y, 0, *about_z(start.heading))
         self._steps = 0
         self.update_view()
 

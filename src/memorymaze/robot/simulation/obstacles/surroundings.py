@@ -9,7 +9,7 @@ import numpy as np
 from shapely import LineString, Point, Polygon
 
 from memorymaze.basics.geometry.pose import Pose
-from memorymaze.basics.physics_engine import mujoco
+from memorymaze.basics.physics_engine import about_z, mujoco
 from memorymaze.basics.robot_size import ROBOT_RADIUS
 from memorymaze.robot.api.asking import HEARING_RANGE
 from memorymaze.robot.simulation.motion.clearance import Clearance
@@ -216,7 +216,7 @@ class ObstacleSurroundings:
     def _put(self, movable: Movable, x: float, y: float, heading: float) -> None:
         body = self._scene.mocap_ids[movable.id]
         self._data.mocap_pos[body] = (x, y, movable.size[2] / 2)
-        self._data.mocap_quat[body] = (np.cos(heading / 2), 0, 0, np.sin(heading / 2))
+        self._data.mocap_quat[body] = about_z(heading)
 
 
 class Closeness:

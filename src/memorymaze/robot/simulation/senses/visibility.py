@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from memorymaze.basics.errors import RenderingError
 from memorymaze.basics.geometry.points import FloatArray
 from memorymaze.basics.geometry.pose import Pose
-from memorymaze.basics.physics_engine import mujoco
+from memorymaze.basics.physics_engine import about_z, mujoco
 from memorymaze.robot.api.steps import CameraPicture
 from memorymaze.robot.perception.camera_view import (
     Draw,
@@ -344,8 +344,7 @@ def camera_elsewhere(
 ) -> RayCamera:
     """Return what the camera would see from a robot's pose, with people as now."""
     data = mujoco.MjData(scene.model)
-    half = pose.heading / 2
-    data.qpos[:7] = (pose.x, pose.y, 0, math.cos(half), 0, 0, math.sin(half))
+    data.qpos[:7] = (pose.x, pose.y, 0, *about_z(pose.heading))
     data.mocap_pos[:] = now.mocap_pos
     data.mocap_quat[:] = now.mocap_quat
     mujoco.mj_kinematics(scene.model, data)
