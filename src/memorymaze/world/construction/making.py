@@ -149,7 +149,7 @@ def _close_ends(
             continue
         ends = words.programs[wall.program].ends
         end = ends[rng.integers(len(ends))]
-        if end == "stairs" and planner.add_behind(wall, STAIRS, 1.0):
+        if end == "stairs" and planner.add_behind(wall, STAIRS):
             exits.append(wall)
         elif end != "window":
             doors.append(_door_in(wall, "fire", "EXIT", rng))

@@ -115,10 +115,9 @@ class RoomPlanner:
         self._name(digit)
         return self.rooms
 
-    def add_behind(self, wall: MadeWall, kind: Special, door_width: float) -> bool:
+    def add_behind(self, wall: MadeWall, kind: Special) -> bool:
         """Place a room behind the middle of a wall; tell whether there was room."""
-        half = max(kind.width, door_width + 0.6) / 2
-        middle = wall.length / 2
+        half, middle = kind.width / 2, wall.length / 2
         return self._add(wall, middle - half, middle + half, kind.depth, kind)
 
     def _slots(self, wall: MadeWall) -> Iterator[_Slot]:

@@ -80,12 +80,11 @@ def _wood_door(made: Assembly, door: Door, length: float) -> None:
 
     def leaf(made: Assembly, low: float, high: float, hinge: float) -> None:
         made.add(board, upright_grain((-FRONT, FRONT), (low, high), (0.006, 2.095)))
-        for z in (0.95,):
-            made.add(
-                groove,
-                frame_line(FRONT + 0.001, (low + 0.12, high - 0.12), (0.15, z - 0.1)),
-                frame_line(FRONT + 0.001, (low + 0.12, high - 0.12), (z + 0.25, 1.95)),
-            )
+        made.add(
+            groove,
+            frame_line(FRONT + 0.001, (low + 0.12, high - 0.12), (0.15, 0.85)),
+            frame_line(FRONT + 0.001, (low + 0.12, high - 0.12), (1.2, 1.95)),
+        )
         y = high - 0.07 if hinge < 0 else low + 0.07
         handle(made, y, hinge)
 

@@ -349,9 +349,8 @@ class WallSurroundings:
         if not crossed.is_empty:
             way = crossed.distance(Point(x, y))
         # A hole in the floor of a building is some part of it that the plan leaves out.
-        if any(each.contains(near) for each in (*self._rooms, *self._voids)):
-            return "room", max(SHALLOWEST, min(DEEPEST, way - 0.12))
-        if way < DOUBLE_WALL:
+        hole = any(each.contains(near) for each in (*self._rooms, *self._voids))
+        if hole or way < DOUBLE_WALL:
             return "room", max(SHALLOWEST, min(DEEPEST, way - 0.12))
         return "outdoors", way
 
