@@ -115,7 +115,7 @@ def test_a_model_that_does_not_describe_ends_the_episode(robot: SimulatedRobot) 
     model = ScriptedLanguageModel(["No.", "No."], name="eyes")
     journal = Journal()
     look = VisionCaptions(model, shoot).in_episode(robot, journal)
-    with pytest.raises(LanguageModelError, match="eyes: no captions in 2 replies"):
+    with pytest.raises(LanguageModelError, match="eyes: no caption in 2 replies"):
         look(PLACE)
     assert journal.model_calls == 2
 

@@ -2,13 +2,14 @@
 
 import json
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import lru_cache
+from itertools import count
 from typing import Any
 
 from memorymaze.agents.agent import Journal
-from memorymaze.basics.errors import LanguageModelError
+from memorymaze.agents.asking import ask_until_read
 from memorymaze.basics.geometry.pose import Pose
 from memorymaze.language.models.model import (
     Completion,
@@ -32,8 +33,6 @@ PICTURE_FOV = math.radians(45)
 JPEG_QUALITY = 85
 LOOKS: Looks = "own"
 """Captions are asked for by viewpoint, whatever looks a run has."""
-TRIES = 2
-"""Requests for the captions of a viewpoint, when a reply cannot be read."""
 LONGEST_REPLY = 2000
 """Tokens."""
 
@@ -63,8 +62,8 @@ class VisionCaptions:
         self._model = model
         self._shoot = shoot or take_pictures
         self._prompt = load_prompt("describe_viewpoint")
-        self._replies: dict[str, tuple[Completion, ...]] = {}
-        """By viewpoint, the last one usable."""
+        self._known: dict[str, tuple[Captions, list[Completion]]] = {}
+        """By viewpoint, with the replies it took."""
 
     def in_episode(
         self, robot: SimulatedRobot, journal: Journal
@@ -98,51 +97,37 @@ class VisionCaptions:
         self, scene: Scene, viewpoint: Viewpoint, journal: Journal
     ) -> Captions:
         place = f"{scene.site.name}/{viewpoint.id}"
-        replies = self._replies.get(place)
-        if replies is None:
-            asked: list[Completion] = []
-            try:
-                self._ask(place, self._shoot(scene, viewpoint), asked)
-            except LanguageModelError:
-                _count(asked, journal)
-                raise
-            replies = self._replies[place] = tuple(asked)
-        _count(replies, journal)
-        return read_captions(replies[-1].text)
+        replies: list[Completion] = []
+        try:
+            if place not in self._known:
+                pictures = self._shoot(scene, viewpoint)
+                self._known[place] = self._ask(place, pictures, replies), replies
+            captions, replies = self._known[place]
+        finally:
+            for each in replies:
+                journal.count(each, stage="caption")
+        return captions
 
     def _ask(
         self, place: str, pictures: tuple[Picture, ...], replies: list[Completion]
-    ) -> None:
-        """Ask until a reply can be read; all of them are added to `replies`."""
-        messages = (
-            Message("system", self._prompt),
-            Message("user", "The eight pictures:", pictures),
-        )
-        problem, prompt = "", prompt_version(self._prompt)
-        for number in range(1, TRIES + 1):
-            question = ModelQuestion("caption", prompt, number, place)
-            completion = self._model.complete(
-                CompletionRequest(messages, max_tokens=LONGEST_REPLY, question=question)
-            )
-            replies.append(completion)
-            try:
-                read_captions(completion.text)
-            except ValueError as error:
-                problem = str(error)
-                messages += (
-                    Message("assistant", completion.text or "(nothing)"),
-                    Message("user", f"That cannot be used: {problem}. Answer again."),
-                )
-            else:
-                return
-        raise LanguageModelError(
-            f"{self._model.name}: no captions in {TRIES} replies: {problem}"
-        )
+    ) -> Captions:
+        """Ask until a reply can be read; all that a model gave are added to `replies`."""
 
+        def keep(reply: Completion) -> float:
+            replies.append(reply)
+            return 0.0
 
-def _count(replies: Iterable[Completion], journal: Journal) -> None:
-    for completion in replies:
-        journal.count(completion, stage="caption")
+        task = Message("user", "The eight pictures:", pictures)
+        request = CompletionRequest(
+            (Message("system", self._prompt), task), max_tokens=LONGEST_REPLY
+        )
+        question = ModelQuestion(
+            "caption", prompt_version(self._prompt), instruction=place
+        )
+        own = Journal(on_completion=keep)
+        return ask_until_read(
+            self._model, own, request, question, count(1), read_captions
+        )
 
 
 def read_captions(reply: str) -> Captions:
