@@ -56,13 +56,11 @@ class GgufModel:
         *,
         name: str,
         threads: int | None = None,
-        context: int = CONTEXT,
     ) -> None:
         """Look at the file; nothing is loaded yet."""
         self._path = Path(path)
         self._name = name
         self._threads = threads or max(1, (os.cpu_count() or 1) // 2)
-        self._context = context
         self._llama: Any = None
         self._beginnings: dict[tuple[Message, ...], _Beginning] = {}
         try:
@@ -96,11 +94,11 @@ class GgufModel:
         began = time.monotonic()
         try:
             tokens = self._tokens(request.messages)
-            room = self._context - len(tokens)
+            room = CONTEXT - len(tokens)
             if room < 1:
                 raise self._failure(
                     f"cannot read a request of {len(tokens)} tokens; request and reply "
-                    f"have {self._context} together"
+                    f"have {CONTEXT} together"
                 )
             self._begin(request.messages[:-1], tokens)
             answer = llama.create_completion(
@@ -126,7 +124,7 @@ class GgufModel:
             try:
                 llama = llama_cpp.Llama(
                     str(self._path),
-                    n_ctx=self._context,
+                    n_ctx=CONTEXT,
                     n_threads=self._threads,
                     n_threads_batch=self._threads,
                     verbose=False,

@@ -90,11 +90,11 @@ class ClauseReader:
         elif re.fullmatch("[nOJ]+[LSm]*B?P|[OJLS]+BP", clause.kinds):
             self._read_negative(0)  # "two openings on the left passed"
         elif denies >= 0:
-            self._read_positive(0, denies)
+            self._read_positive(denies)
             if not re.search("B.*XJ", clause.kinds):
                 self._read_negative(denies + 1)
         else:
-            self._read_positive(0, end)
+            self._read_positive(end)
         if clause.has("D") and not self._turned:
             self._add(ClauseEvent("forced"))
         return self._read
@@ -158,8 +158,8 @@ class ClauseReader:
 
     # -- what is to be done
 
-    def _read_positive(self, start: int, end: int) -> None:
-        at = start
+    def _read_positive(self, end: int) -> None:
+        at = 0
         while at < end:
             at = self._read_at(at)
 

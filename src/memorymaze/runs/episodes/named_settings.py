@@ -112,12 +112,10 @@ def with_robot_options(given: Iterable[GivenSetting]) -> list[GivenSetting]:
     return [*others, replace(robot, value=",".join([robot.value, *told]))]
 
 
-def model_settings(
-    given: Iterable[GivenSetting], base: ModelSettings | None = None
-) -> ModelSettings:
+def model_settings(given: Iterable[GivenSetting]) -> ModelSettings:
     """Return settings of a language model with what was given, without all others."""
     listed = with_robot_options(given)
-    return _changed(base or ModelSettings(), _values_of(ModelSettings, listed), listed)
+    return _changed(ModelSettings(), _values_of(ModelSettings, listed), listed)
 
 
 def with_choices(settings: RunSettings, choices: Mapping[str, Any]) -> RunSettings:
