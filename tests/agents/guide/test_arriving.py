@@ -162,7 +162,7 @@ def test_what_was_found_not_to_be_the_destination_is_no_place_to_arrive_at() -> 
     belief.update(BOTH_WAYS)
     arrivals = Arrivals(plan, floor, model, things)
     assert any(each.sighting for each in arrivals.endings(belief))
-    arrivals.destination.refuted.add(0)
+    floor.refuted.add(0)
     assert not any(each.sighting for each in arrivals.endings(belief))
 
 

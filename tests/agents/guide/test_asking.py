@@ -96,6 +96,23 @@ def test_nothing_is_asked_where_there_is_nobody_to_ask(walk_with: TakeWalk) -> N
     assert not walk.notes("asked")
 
 
+def test_where_nothing_that_was_told_fits_and_nobody_is_near_the_guide_gives_up(
+    walk_with: TakeWalk,
+) -> None:
+    class Deserted(Crowded):
+        def ask(self, question: Question) -> str | None:
+            return None
+
+    told = "Turn left, then turn right at the fifth crossing. " * 20
+    walk = walk_with(
+        GuideAgent(GuideOptions(ask="lost")),
+        "l_shape",
+        told,
+        as_seen=lambda robot: Deserted(robot, "the kitchen", ["Turn left."]),
+    )
+    assert walk.notes("gave_up")
+
+
 def test_the_same_way_told_twice_leads_to_the_same_place(walk_with: TakeWalk) -> None:
     once = "Turn left at the T junction and go to the end."
     twice = once + TOLD_AGAIN + "At the end go left, then straight on to the end."

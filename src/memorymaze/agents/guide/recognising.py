@@ -66,8 +66,6 @@ class Recognition:
         """Tracks of what bears a name told, in the order in which it was seen."""
         self.is_told_apart = any(is_floor(m.phrase) for m in arrival.mentions)
         """Whether the floor is told that it stands on: then there may be several."""
-        self.refuted: set[int] = set()
-        """Tracks of what was found not to be the destination."""
         names = with_door(arrival.destinations)
         numbered = tuple(each for each in names if _NUMBER.search(each))
         # Any office is not office 2347: where a number is told, only it will do.
@@ -212,7 +210,7 @@ class Recognition:
 
     def may_be(self, sighting: Sighting) -> bool:
         """Tell whether something seen may be the destination, for all that is known of it."""
-        if sighting.track in self.refuted:
+        if sighting.track in self._floor.refuted:
             return False
         if is_on_a_pointer(sighting, self._floor.texts):
             return False

@@ -245,7 +245,7 @@ class Search:
                 chance = float(there / (there + beyond + rest))
                 if chance >= self._choice.patience.sure:
                     if walker.points_on(sighting):
-                        self._tellings.refute(sighting)
+                        walker.map.refuted.add(sighting.track)
                         continue
                     found.append((sighting, chance))
                     return True
@@ -313,7 +313,8 @@ class Search:
         if self._share is None:
             masses = [each.mass for each in self._tellings.frontiers.values()]
             masses += [self._choice.mass_about(each) for each in self._tellings.endings]
-            self._share = max(masses, default=0.0) / self._total
+            # Where nothing that was told fits any more, no place is likely.
+            self._share = max(masses, default=0.0) / self._total if self._total else 0.0
         told = expected_metres(self._plans[0])
         return Situation(
             self._share,
@@ -354,10 +355,9 @@ class Search:
         return self._tellings.all[segment.telling]
 
     def _may_be_there(self, sighting: Sighting) -> bool:
-        refuted = self._tellings.all[0].destination.refuted
         return (
             sighting.phrase in self._tellings.names_at_once
-            and sighting.track not in refuted
+            and sighting.track not in self._walker.map.refuted
         )
 
     def _phrases(self, frontier: Frontier) -> list[str]:
@@ -392,7 +392,7 @@ class Search:
         if not walker.go_to(ending.at):
             if ending.sighting is None:
                 return True
-            self._tellings.refute(ending.sighting)
+            walker.map.refuted.add(ending.sighting.track)
             return False
         if ending.exit is not None and not walker.face(ending.exit):
             walker.map.crossings[ending.at].closed.add(ending.exit)

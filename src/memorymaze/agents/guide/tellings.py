@@ -15,7 +15,7 @@ from memorymaze.agents.guide.belief import Belief
 from memorymaze.agents.guide.likelihoods import Likelihoods
 from memorymaze.agents.guide.signs import Pointers
 from memorymaze.agents.guide.things import Things
-from memorymaze.agents.walking.floor_map import FloorMap, Point, Sighting
+from memorymaze.agents.walking.floor_map import FloorMap, Point
 from memorymaze.agents.walking.outlooks import each_once
 from memorymaze.language.plans import RoutePlan
 
@@ -177,11 +177,6 @@ class Tellings:
     def is_told(self) -> bool:
         """Whether anything is told by which one knows the place."""
         return any(each.arrivals.is_told for each in self.all)
-
-    def refute(self, sighting: Sighting) -> None:
-        """Take note that something seen was found not to be the destination."""
-        for telling in self.all:
-            telling.destination.refuted.add(sighting.track)
 
     def _join(self) -> None:
         ways = {key for each in self.all for key in each.belief.frontiers}

@@ -192,6 +192,8 @@ class FloorMap:
         self._seen_beside: float | None = None
         self.farthest = 0.0
         """Metres of the farthest sighting: how far this robot sees."""
+        self.refuted: set[int] = set()
+        """Tracks of what was found not to be the destination."""
 
     def new_dead_end(self, place: Point) -> Crossing:
         """Note a place where a way ends."""
