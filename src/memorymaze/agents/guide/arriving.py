@@ -32,6 +32,7 @@ from memorymaze.agents.walking.floor_map import (
     metres_along,
 )
 from memorymaze.agents.walking.outlooks import junction_at_the_end
+from memorymaze.basics.geometry.pose import moved
 from memorymaze.language.plans import Length, RoutePlan, Turn
 
 SAME_PLACE = 3.0
@@ -187,10 +188,7 @@ class Arrivals:
                 if not self.destination.may_be(sighting):
                     continue
                 along = math.dist(crossing.place, sighting.place)
-                end = (
-                    crossing.place[0] + along * math.cos(heading),
-                    crossing.place[1] + along * math.sin(heading),
-                )
+                end = moved(crossing.place, heading, along)
                 for segment, _, _ in frontier.alignments:
                     if segment.leg == self._legs:
                         yield Ending(

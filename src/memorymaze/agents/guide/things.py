@@ -82,10 +82,6 @@ class Things:
             if seen != self._floor.seen(phrase):
                 del self._met[phrase]
 
-    def mentions(self, number: int) -> tuple[Mention, ...]:
-        """Return the things on a leg, or on the last stretch."""
-        return self._mentions[number]
-
     def phrases(self, number: int) -> list[str]:
         """Return what to look for on a leg, or on the last stretch; first at its end."""
         things = sorted(

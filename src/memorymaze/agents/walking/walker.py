@@ -15,7 +15,7 @@ from memorymaze.agents.walking.floor_map import (
     along_and_aside,
     is_on_a_pointer,
 )
-from memorymaze.basics.geometry.pose import wrap_angle
+from memorymaze.basics.geometry.pose import moved, wrap_angle
 from memorymaze.robot.api.control import Detection, Direction, Robot, SignText
 from memorymaze.robot.perception.detector import LONGEST_QUERY
 from memorymaze.robot.perception.matching import points_elsewhere
@@ -247,11 +247,7 @@ class Walker:
         return along_and_aside(sighting.place, self.place, self.heading)[0]
 
     def _advance(self, distance: float) -> None:
-        x, y = self.place
-        self.place = (
-            x + distance * math.cos(self.heading),
-            y + distance * math.sin(self.heading),
-        )
+        self.place = moved(self.place, self.heading, distance)
         self.travelled += distance
 
     def _note_rim(self, crossing: Crossing) -> None:
@@ -263,13 +259,8 @@ class Walker:
         """Take note of a turning point and of the ways out of it."""
         known = self.map.crossings.get(number)
         if known is None:
-            x, y = self.place
             inside = self.map.usual_rim - STRIDE / 2
-            middle = (
-                x + inside * math.cos(self.heading),
-                y + inside * math.sin(self.heading),
-            )
-            known = Crossing(number, middle)
+            known = Crossing(number, moved(self.place, self.heading, inside))
             self.map.crossings[number] = known
         else:
             self.place = known.place
@@ -462,16 +453,11 @@ class Walker:
         side = "left" if bearing > 0 else "right"
         if abs(bearing) < AHEAD:
             side = "ahead"
-        x, y = self.place
-        there = (
-            x + found.distance * math.cos(angle),
-            y + found.distance * math.sin(angle),
-        )
         return Sighting(
             phrase,
             label,
             score,
-            there,
+            moved(self.place, angle, found.distance),
             self.place,
             found.distance,
             found.track_id,

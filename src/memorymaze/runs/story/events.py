@@ -13,7 +13,7 @@ from memorymaze.agents.notes import (
     ProgramNote,
     StepsNote,
 )
-from memorymaze.basics.geometry.pose import Pose
+from memorymaze.basics.geometry.pose import Pose, moved
 from memorymaze.basics.wording import printable
 from memorymaze.robot.api.control import Detection, MoveResult, SignText, TurnResult
 from memorymaze.runs.episodes.trace_entries import (
@@ -210,10 +210,7 @@ def _answered_event(entry: AnswerEntry, number: int) -> Event:
 def place_of_note(found: Detection, pose: Pose) -> tuple[float, float]:
     """Return where a thing is, metres, that was detected from a place."""
     angle = pose.heading + math.radians(found.bearing_deg)
-    return (
-        pose.x + found.distance * math.cos(angle),
-        pose.y + found.distance * math.sin(angle),
-    )
+    return moved((pose.x, pose.y), angle, found.distance)
 
 
 def _where(found: Detection | SignText) -> str:
