@@ -139,18 +139,16 @@ def append_line(path: Path, line: str) -> None:
         os.fsync(file.fileno())
 
 
-def append_lines(
-    path: Path, lines: bytes, is_broken_off: Callable[[bytes], bool]
-) -> None:
+def append_lines(path: Path, lines: bytes, opening: bytes) -> None:
     """Add lines to a file that other processes add to; they are on the disk then.
 
-    A last line without an end is cut away first where a killed process left it.
+    A last line that is broken off is cut away first.
     """
     handle = os.open(path, os.O_RDWR | os.O_CREAT | os.O_APPEND, 0o644)
     try:
         fcntl.flock(handle, fcntl.LOCK_EX)
         last = _last_line(handle)
-        if last and is_broken_off(last):
+        if is_broken_off(last, opening):
             os.ftruncate(handle, os.fstat(handle).st_size - len(last))
         elif last:
             lines = b"\n" + lines
@@ -159,6 +157,20 @@ def append_lines(
         os.fsync(handle)
     finally:
         os.close(handle)
+
+
+def is_broken_off(last: bytes, opening: bytes) -> bool:
+    """Tell whether a line without an end is the beginning of a record that we wrote.
+
+    All that we wrote begin with the opening; people may leave out the last line end.
+    """
+    if not last or not opening.startswith(last[: len(opening)]):
+        return False
+    try:
+        json.loads(last)
+    except ValueError:
+        return True
+    return False
 
 
 def _last_line(handle: int) -> bytes:

@@ -59,6 +59,10 @@ class LabelFileError(MemoryMazeError):
     """A file or sheet of labels is unusable; names file and line."""
 
 
+class LabelFileWarning(UserWarning):
+    """A file of labels has something that is not used; names file and line."""
+
+
 class StudyError(MemoryMazeError):
     """A study file or a study's data are unusable; names file and line, or what to do."""
 

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from memorymaze.basics.errors import LabelFileError
+from memorymaze.basics.errors import LabelFileError, LabelFileWarning
 from memorymaze.texts.corpus import Failure, Instruction
 from memorymaze.texts.labels.label_sheet import read_label_sheet, write_label_sheet
 from memorymaze.texts.labels.labels import Label, append_labels, read_labels
@@ -36,9 +36,35 @@ def test_a_line_that_a_kill_broke_off_is_cut_away(
     file = tmp_path / "ada.jsonl"
     append_labels(file, [label("ada", "a")])
     file.write_bytes(file.read_bytes() + b'{"instruction": "b", "te')
-    [first] = kept()
+    with pytest.warns(LabelFileWarning, match=r"ada\.jsonl:2: .* broken off"):
+        [first] = kept()
     append_labels(file, [first])
     assert kept() == [first, first]
+
+
+def test_a_last_label_without_a_line_end_counts_and_stays(
+    label: Labelled, kept: Callable[[], list[Label]], tmp_path: Path
+) -> None:
+    file = tmp_path / "ada.jsonl"
+    first, second = label("ada", "a"), label("ada", "c")
+    append_labels(file, [first, second])
+    file.write_bytes(file.read_bytes().rstrip(b"\n"))
+    assert kept() == [first, second]
+    append_labels(file, [first])
+    assert kept() == [first, second, first]
+
+
+def test_a_last_line_that_no_label_begins_with_is_refused_and_stays(
+    label: Labelled, kept: Callable[[], list[Label]], tmp_path: Path
+) -> None:
+    file = tmp_path / "ada.jsonl"
+    append_labels(file, [label("ada", "a")])
+    written = file.read_bytes() + b"by hand"
+    file.write_bytes(written)
+    with pytest.raises(LabelFileError, match=r"ada\.jsonl:2: expected JSON"):
+        kept()
+    append_labels(file, [])
+    assert file.read_bytes().startswith(written)
 
 
 def test_labels_of_another_text_or_way_are_refused(

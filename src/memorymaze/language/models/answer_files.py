@@ -6,11 +6,10 @@ number of processes; several of them one after another are one. What a line may 
 `docs/language_models.md`.
 """
 
-import json
 import warnings
 from pathlib import Path
 
-from memorymaze.basics.durable_files import append_lines
+from memorymaze.basics.durable_files import append_lines, is_broken_off
 from memorymaze.basics.errors import (
     AnswerFileError,
     LanguageModelError,
@@ -208,7 +207,7 @@ class AnswerFile:
     def _read(self, content: bytes) -> bool:
         """Read what comes next in the file; tell whether a last line was broken off."""
         *lines, last = content.split(b"\n")
-        broken = _is_broken_off(last)
+        broken = is_broken_off(last, RECORDED)
         if last and not broken:
             lines.append(last)
         self._end += len(content) - (len(last) if broken else 0)
@@ -249,15 +248,4 @@ class AnswerFile:
 
 def append_answers(path: Path, lines: bytes) -> None:
     """Add lines to a file that other processes add to; they are on the disk then."""
-    append_lines(path, lines, _is_broken_off)
-
-
-def _is_broken_off(last: bytes) -> bool:
-    """Tell whether a line without an end is the beginning of one that a run wrote."""
-    if not last or not RECORDED.startswith(last[: len(RECORDED)]):
-        return False
-    try:
-        json.loads(last)
-    except ValueError:
-        return True
-    return False
+    append_lines(path, lines, RECORDED)

@@ -1,6 +1,7 @@
 """What annotators say of instructions, and the files that keep it (JSONL)."""
 
 import json
+import warnings
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, fields
 from hashlib import sha256
@@ -8,8 +9,12 @@ from pathlib import Path
 
 from pydantic import TypeAdapter, ValidationError
 
-from memorymaze.basics.durable_files import append_lines
-from memorymaze.basics.errors import LabelFileError, SettingsError
+from memorymaze.basics.durable_files import append_lines, is_broken_off
+from memorymaze.basics.errors import (
+    LabelFileError,
+    LabelFileWarning,
+    SettingsError,
+)
 from memorymaze.basics.input_files import mistakes, parse_record, read_file, refusal
 from memorymaze.texts.corpus.error_kinds import ERROR_KINDS
 from memorymaze.texts.corpus.records import Failure, Instruction, Text
@@ -23,6 +28,8 @@ LABEL_KINDS = {kind.name: kind.meaning for kind in ERROR_KINDS} | {
 NO_WAY = "none"
 """Instead of a route's id: the text describes none of the plan's ways."""
 STAMP_LENGTH = 16
+WRITTEN = b'{"instruction": "'
+"""What each line begins with that we wrote; only such a line can have been broken off."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,15 +72,23 @@ def read_labels(
 ) -> list[Label]:
     """Read files of labels about these instructions, in order.
 
-    A last line that was broken off is passed over.
+    A last line that was broken off is passed over, with a warning.
     """
     known = {each.id: each for each in instructions}
     labels: list[Label] = []
     wrong: list[str] = []
     for path in paths:
         content = read_file(path, LabelFileError)
-        whole = content[: content.rfind(b"\n") + 1]
-        for number, line in enumerate(whole.split(b"\n"), start=1):
+        lines = content.split(b"\n")
+        if is_broken_off(lines[-1], WRITTEN):
+            warnings.warn(
+                f"{path}:{len(lines)}: the last label was broken off while it was "
+                "written; it is left out",
+                LabelFileWarning,
+                stacklevel=2,
+            )
+            del lines[-1]
+        for number, line in enumerate(lines, start=1):
             if not line.strip():
                 continue
             try:
@@ -131,7 +146,7 @@ def append_labels(path: str | Path, labels: Iterable[Label]) -> None:
     )
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        append_lines(path, lines.encode(), is_broken_off=lambda last: True)
+        append_lines(path, lines.encode(), WRITTEN)
     except OSError as error:
         raise LabelFileError(
             f"{path}: cannot be written ({error.strerror or error})"
