@@ -86,6 +86,12 @@ def test_labels_of_another_text_or_way_are_refused(
         read_labels([file], instructions, tiny_sites)
 
 
+def _add_column(sheet: Path, name: str, filled: str) -> None:
+    head, first, *rest = sheet.read_text(encoding="utf-8").splitlines()
+    lines = [f"{head};{name}", f"{first};{filled}", *rest]
+    sheet.write_text("\n".join(lines), encoding="utf-8")
+
+
 def _fill(sheet: Path, *rows: dict[str, str]) -> None:
     with sheet.open(encoding="utf-8-sig", newline="") as file:
         table = list(csv.DictReader(file))
@@ -160,6 +166,51 @@ def test_a_wrong_row_is_named_and_none_is_used(
         read_label_sheet(sheet, waiting, "bob")
     assert f"{sheet}: row 3: " in str(caught.value)
     assert said in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("column", "said"),
+    [
+        pytest.param("kind4", "got 'kind4'; name", id="no line"),
+        pytest.param("Kind_5", "got 'Kind_5'; name", id="upper case"),
+        pytest.param("kind_04", "got 'kind_04'; name", id="zero"),
+        pytest.param("", "got cells beneath no name", id="no name"),
+    ],
+)
+def test_a_column_that_would_be_passed_over_is_refused(
+    told: Told, tiny_sites: dict[str, Site], tmp_path: Path, column: str, said: str
+) -> None:
+    sheet = tmp_path / "sheet.csv"
+    waiting = questions([told("a", text="Right.")], tiny_sites)
+    write_label_sheet(sheet, waiting)
+    _fill(sheet, {"ways": "", "way": "1", "arrives": "no", "kind_1": "extra_turn"})
+    _add_column(sheet, column, "missing_turn")
+    with pytest.raises(LabelFileError, match=said):
+        read_label_sheet(sheet, waiting, "bob")
+
+
+def test_failures_beyond_the_third_are_read(
+    told: Told, tiny_sites: dict[str, Site], tmp_path: Path
+) -> None:
+    sheet = tmp_path / "sheet.csv"
+    waiting = questions([told("a", text="Right.")], tiny_sites)
+    write_label_sheet(sheet, waiting)
+    _fill(sheet, {"ways": "", "way": "1", "arrives": "no"})
+    _add_column(sheet, "kind_4", "missing_turn")
+    [label] = read_label_sheet(sheet, waiting, "bob")
+    assert label.failures == (Failure("missing_turn", "", ""),)
+
+
+def test_a_text_that_is_labelled_in_two_rows_is_refused(
+    instructions: list[Instruction], tiny_sites: dict[str, Site], tmp_path: Path
+) -> None:
+    sheet = tmp_path / "sheet.csv"
+    waiting = questions([*instructions, instructions[0]], tiny_sites)
+    write_label_sheet(sheet, waiting)
+    right, wrong = {"way": "1", "arrives": "yes"}, {"way": "none", "arrives": "yes"}
+    _fill(sheet, right, right, {}, wrong)
+    with pytest.raises(LabelFileError, match=r"row 5: .* got a second one of 'a'"):
+        read_label_sheet(sheet, waiting, "bob")
 
 
 def test_a_file_that_is_no_sheet_is_named(

@@ -2,6 +2,7 @@
 
 import csv
 import io
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -40,6 +41,8 @@ ASKED = (
         for name in ("kind", "where", "detail")
     ),
 )
+OF_A_FAILURE = re.compile(r"(kind|where|detail)_([1-9][0-9]*)")
+"""Names of such columns."""
 FORMULA_STARTS = ("=", "+", "-", "@", "\t", "\r")
 """What spreadsheets run as a formula; an apostrophe in front keeps it a text."""
 
@@ -74,18 +77,23 @@ def read_label_sheet(
     Rows where nothing is filled in are left for later.
     """
     known = {question.instruction.id: question for question in questions}
-    labels: list[Label] = []
+    labels: dict[str, Label] = {}
     wrong: list[str] = []
     for number, row in enumerate(_rows(Path(path)), start=2):
         try:
             label = _label(row, known, annotator)
+            if label is not None and label.instruction in labels:
+                raise ValueError(
+                    f"expected one filled row of a text, got a second one of "
+                    f"{label.instruction!r}; empty one of them"
+                )
         except ValueError as error:
             wrong.append(f"{path}: row {number}: {error}")
         else:
-            labels += [] if label is None else [label]
+            labels |= {} if label is None else {label.instruction: label}
     if wrong:
         raise refusal(wrong, LabelFileError)
-    return labels
+    return list(labels.values())
 
 
 def _rows(path: Path) -> list[dict[str, str]]:
@@ -94,31 +102,39 @@ def _rows(path: Path) -> list[dict[str, str]]:
     separator = ";" if head.count(";") > head.count(",") else ","
     try:
         reader = csv.DictReader(io.StringIO(text, newline=""), delimiter=separator)
-        rows = [
-            {name: _unguarded(cell or "") for name, cell in row.items() if name}
-            for row in reader
-        ]
+        table = list(reader)
     except csv.Error as error:
         raise LabelFileError(f"{path}: expected CSV ({error})") from None
-    missing = {"instruction", "text", "way", "arrives"} - set(reader.fieldnames or ())
+    columns = reader.fieldnames or ()
+    missing = {"instruction", "text", "way", "arrives"} - set(columns)
     if missing:
         raise LabelFileError(
             f"{path}: expected the columns of a sheet that `label --csv` wrote, "
             f"{', '.join(sorted(missing))} are missing"
         )
-    return rows
+    unknown = [
+        repr(name)
+        for name in columns
+        if name and name not in {*GIVEN, *ASKED} and not OF_A_FAILURE.fullmatch(name)
+    ]
+    if any("".join(row.get(None, ())) or row.get("") for row in table):
+        unknown.append("cells beneath no name")
+    if unknown:
+        raise LabelFileError(
+            f"{path}: expected the columns of a sheet that `label --csv` wrote, and for "
+            "more failures kind_4, where_4, detail_4 and so on, got "
+            f"{', '.join(unknown)}; name them so, or delete them"
+        )
+    return [
+        {name: _unguarded(cell or "") for name, cell in row.items() if name}
+        for row in table
+    ]
 
 
 def _label(
     row: Mapping[str, str], known: Mapping[str, LabelQuestion], annotator: str
 ) -> Label | None:
-    filled = [
-        name
-        for name, cell in row.items()
-        if cell.strip()
-        and (name in ASKED or name.startswith(("kind_", "where_", "detail_")))
-    ]
-    if not filled:
+    if not any(cell.strip() for name, cell in row.items() if name not in GIVEN):
         return None
     question = known.get(row["instruction"])
     if question is None:
@@ -146,10 +162,7 @@ def _label(
 def _failures(row: Mapping[str, str]) -> list[Failure]:
     failures: list[Failure] = []
     numbers = sorted({
-        int(end)
-        for name in row
-        for kind, _, end in [name.partition("_")]
-        if kind in {"kind", "where", "detail"} and end.isdecimal()
+        int(column[2]) for name in row if (column := OF_A_FAILURE.fullmatch(name))
     })
     for number in numbers:
         kind, where, detail = (
