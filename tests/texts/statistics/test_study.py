@@ -51,6 +51,16 @@ def test_the_first_table_has_every_cell_of_the_paper_beside_the_measured_one(
         assert published in row
 
 
+@pytest.mark.parametrize("studies", [("online",), ("onsite",), ("online", "onsite")])
+def test_online_and_onsite_are_compared_where_both_are_there(
+    builtin_sites: dict[str, Site], studies: tuple[str, ...]
+) -> None:
+    some = [each for each in load_instructions() if each.study in studies][::30]
+    text = write_study(some, builtin_sites, "text")
+    compared = "published counts are higher onsite than online" in text
+    assert compared == (len(studies) == 2)
+
+
 def test_marks_things_and_distances_are_means_per_text(
     told: Told, tiny_sites: Mapping[str, Site]
 ) -> None:

@@ -212,10 +212,9 @@ def _rules(study: InstructionStudy) -> Table:
             for place in both
         )
     ]
-    order = (
-        f"here they are by: {', '.join(more)}."
-        if more
-        else "here they are not, by any of these rules."
+    order = f"are by: {', '.join(more)}" if more else "are not, by any of these rules"
+    onsite_over_online = (
+        f"The published counts are higher onsite than online; here they {order}.",
     )
     return Table(
         "Distinct words by the usual counting rules",
@@ -229,7 +228,7 @@ def _rules(study: InstructionStudy) -> Table:
             f'On these texts the rule nearest to the published counts is "{near}", off by '
             f"{100 * miss:.0f} % on average. These are other texts than the paper's, so "
             "this does not show which rule the paper used.",
-            f"The published counts are higher onsite than online; {order}",
+            *(onsite_over_online if both else ()),
             *(f"{rule.name}: {rule.says}." for rule in COUNTING_RULES),
         ),
         "counting-rules",
