@@ -8,6 +8,8 @@ import pytest
 from memorymaze.basics.errors import SettingsError, StudyError
 from memorymaze.texts.corpus import load_instructions
 from memorymaze.web.studies.exporting import export_study
+from memorymaze.web.studies.schedule import StudyStep
+from memorymaze.web.studies.store import Participant, open_store
 from memorymaze.web.studies.study_file import Study
 
 MakeStudy = Callable[..., Study]
@@ -66,10 +68,12 @@ def test_the_table_has_what_was_measured_and_the_treatment(
         one = served.browse()
         one.reach_first_way()
         [who] = served.store.participants()
+        first_page = ""
         for route in who.order:
             for kind in ("play", "ended", "again", "play", "ended"):
                 one.post(f"/event/watch.{route}", kind=kind, value="0")
             one.send()
+            first_page = first_page or one.page
             one.send(text=WAY)
             one.send(text=WAY)
             if "A short question" in one.page:
@@ -82,9 +86,31 @@ def test_the_table_has_what_was_measured_and_the_treatment(
     assert first["attention_checks_failed"] == "1"
     assert first["comprehension_attempts"] == "1"
     assert first["familiarity"] == "I have never been there"
+    assert f"<p>{first['told_before']}</p>" in first_page, (
+        "what was shown, to the letter"
+    )
     assert again["told_before"] == study.design.robot
     # A spreadsheet shows a text that begins as a formula does, and runs nothing.
     assert first["text"] == f"'{WAY}"
+
+
+def test_a_description_takes_no_longer_for_the_video_that_was_watched_before(
+    make_study: MakeStudy, tmp_path: Path
+) -> None:
+    now = 1000.0
+    study = make_study("memory")
+    with open_store(study, clock=lambda: now) as store:
+        who = store.begin("browser")
+        assert isinstance(who, Participant)
+        for route in who.order:
+            for kind, seconds in (("watch", 15.0), ("tell", 2.0), ("retell", 3.0)):
+                step = StudyStep.of(kind, route)
+                store.add_event(who.id, step, "opened")
+                now += seconds
+                store.add_answer(who.id, step, WAY, state="complete")
+        export_study(study, store, tmp_path / "mine.jsonl")
+    taken = [row["seconds"] for row in rows_of(tmp_path / "mine.csv")]
+    assert taken == ["2.0", "3.0"] * 2
 
 
 def test_without_anybody_who_finished_there_is_nothing_to_export(

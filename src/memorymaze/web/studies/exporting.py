@@ -42,7 +42,12 @@ class _Telling:
     @property
     def seconds(self) -> float:
         """Between the first look at the page and the answer."""
-        opened = [each.at for each in self.events if each.kind == "opened"]
+        opened = [
+            each.at
+            for each in self.events
+            # Those of a video that was watched before are among them.
+            if each.kind == "opened" and each.step == self.told.step
+        ]
         return self.answer.at - min(opened, default=self.answer.at)
 
     def count(self, kind: str) -> int:

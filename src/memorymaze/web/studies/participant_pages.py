@@ -303,9 +303,9 @@ class ParticipantPages:
     def _taken_text(self, who: Participant, step: StudyStep, text: str) -> Taken | str:
         design = self._design
         if word_count(text) >= design.least_words and len(text) <= LONGEST_TEXT:
-            return Taken(
-                text, shown=design.task if step.kind == "tell" else design.robot
-            )
+            goal = self._store.study.route(step.route).goal
+            task = design.task.replace("{destination}", goal)
+            return Taken(text, shown=task if step.kind == "tell" else design.robot)
         self._store.keep_draft(who.id, step, text[:LONGEST_TEXT])
         if len(text) > LONGEST_TEXT:
             return f"Please use at most {LONGEST_TEXT:,} characters."
