@@ -10,19 +10,19 @@ from memorymaze.texts.corpus import load_instructions
 from memorymaze.web.studies.exporting import export_study
 from memorymaze.web.studies.schedule import StudyStep
 from memorymaze.web.studies.store import Participant, open_store
-from memorymaze.web.studies.study_file import Study
+from memorymaze.web.studies.study_file import Study, load_study
 
 MakeStudy = Callable[..., Study]
 ServeStudy = Callable[[Study], Any]
 WAY = "=Go straight on to the end of the corridor, then turn left at the junction."
 
 
-def take_part(visitor: Any) -> None:
-    visitor.reach_first_way("?PROLIFIC_PID=5f00aa77")
+def take_part(visitor: Any, attention: str = "1") -> None:
+    visitor.reach_first_way(f"?PROLIFIC_PID=5f00aa7{attention}")
     for telling in range(4):
         visitor.send(text=f"{WAY} ({telling})")
         if "A short question" in visitor.page:
-            visitor.send(answer_0="1")
+            visitor.send(answer_0=attention)
 
 
 def rows_of(path: Path) -> list[dict[str, str]]:
@@ -57,7 +57,7 @@ def test_descriptions_of_who_finished_become_an_instruction_file(
     }
     assert [each.text for each in told] == [f"{WAY} ({n})" for n in range(4)]
     for path in tmp_path.glob("mine.*"):
-        assert b"5f00aa77" not in path.read_bytes(), "an id of a platform"
+        assert b"5f00aa71" not in path.read_bytes(), "an id of a platform"
 
 
 def test_the_table_has_what_was_measured_and_the_treatment(
@@ -111,6 +111,22 @@ def test_a_description_takes_no_longer_for_the_video_that_was_watched_before(
         export_study(study, store, tmp_path / "mine.jsonl")
     taken = [row["seconds"] for row in rows_of(tmp_path / "mine.csv")]
     assert taken == ["2.0", "3.0"] * 2
+
+
+def test_attention_is_judged_by_the_answer_that_was_right_when_it_was_asked(
+    make_study: MakeStudy, serve_study: ServeStudy, tmp_path: Path
+) -> None:
+    study = make_study()
+    with serve_study(study) as served:
+        for choice in ("1", "0"):
+            take_part(served.browse(), choice)
+    study.path.write_text(study.text.replace('"A cat"', '"A cat."'), encoding="utf-8")
+    later = load_study(study.path)
+    with open_store(later) as store:
+        export_study(later, store, tmp_path / "mine.jsonl")
+    rows = rows_of(tmp_path / "mine.csv")
+    failed = {row["participant"]: row["attention_checks_failed"] for row in rows}
+    assert list(failed.values()) == ["0", "1"]
 
 
 def test_without_anybody_who_finished_there_is_nothing_to_export(

@@ -272,7 +272,9 @@ class ParticipantPages:
             return "Please choose an answer."
         known = step.kind == "familiarity"
         knows_it = known and chosen[0] in self._design.familiarity.excluded
-        return Taken(chosen[0], excluded="familiarity" if knows_it else "")
+        # The study file may have another wording when this is exported.
+        right = "" if known else self._design.attention[int(step.about)].answer
+        return Taken(chosen[0], shown=right, excluded="familiarity" if knows_it else "")
 
     def _taken_comprehension(
         self, who: Participant, step: StudyStep, chosen: list[str] | None

@@ -55,7 +55,8 @@ class SentAnswer:
 
     text: str
     shown: str
-    """The text that was shown with it and matters, such as the treatment."""
+    """The text that was shown with it and matters, such as the treatment; of an attention
+    check the right answer."""
     at: float
 
 
