@@ -196,6 +196,12 @@ def _export(options: argparse.Namespace) -> None:
             f"{counted(done.unwritten, 'participant')} left out, with recordings that are "
             "not written down (the experimenter's page Texts)"
         )
+    if done.lacking:
+        print(
+            f"{counted(len(done.lacking), 'participant')} left out, of whom a description "
+            f"never came: {', '.join(done.lacking)} (the tablet says what was refused, and "
+            "why)"
+        )
 
 
 def _write_walks(study: "Study", options: argparse.Namespace) -> None:

@@ -28,6 +28,8 @@ class Exported:
     """The CSV file beside the instruction file."""
     unwritten: int
     """Participants left out since a recording of theirs has no text yet."""
+    lacking: tuple[str, ...]
+    """Participants left out since a description of theirs never came."""
     settled: int
     """Instructions whose way and errors are labelled and settled."""
 
@@ -73,11 +75,22 @@ def export_study(study: Study, store: Store, out: str | Path) -> Exported:
     told: dict[str, dict[StudyStep, StudyTelling]] = {}
     for each in tellings.told():
         told.setdefault(each.participant, {})[each.step] = each
-    written = [who for who in finished if all(x.text for x in told[who.id].values())]
+    lacking = tuple(
+        who.id
+        for who in finished
+        if not told.get(who.id, {}).keys() >= set(_steps_told(who))
+    )
+    written = [
+        who
+        for who in finished
+        if who.id not in lacking and all(x.text for x in told[who.id].values())
+    ]
     if not written:
+        never = f"; some of {', '.join(lacking)} never came" if lacking else ""
         raise StudyError(
-            f"{store.folder}: expected participants whose recordings are all written down, "
-            "got none; the experimenter's page Texts lists what waits"
+            f"{store.folder}: expected participants whose descriptions all came and are "
+            "written down, got none; the experimenter's page Texts lists what waits"
+            f"{never}"
         )
     labelled = {
         each.instruction.id: each for each in Labelling(store, tellings).labelled()
@@ -104,8 +117,12 @@ def export_study(study: Study, store: Store, out: str | Path) -> Exported:
         store.add_export(path, [each.id for each in written])
     write_instructions(out, instructions)
     write_whole(table, guarded_sheet(list(rows[0]), rows))
-    unwritten = len(finished) - len(written)
-    return Exported(len(instructions), len(written), table, unwritten, settled)
+    unwritten = len(finished) - len(lacking) - len(written)
+    return Exported(len(instructions), len(written), table, unwritten, lacking, settled)
+
+
+def _steps_told(who: Participant) -> list[StudyStep]:
+    return [StudyStep.of(kind, route) for route in who.order for kind in TELLINGS]
 
 
 def _tellings(
@@ -114,14 +131,13 @@ def _tellings(
     who: Participant,
     answers: dict[StudyStep, SentAnswer],
 ) -> Iterator[_Telling]:
-    for place, route in enumerate(who.order, start=1):
-        for kind in TELLINGS:
-            step = StudyStep.of(kind, route)
-            events = store.events(who.id, step)
-            if kind == TELLINGS[0]:
-                watched = store.events(who.id, StudyStep.of("watch", route))
-                events = [*watched, *events]
-            yield _Telling(place, told[step], answers[step], tuple(events))
+    for step in _steps_told(who):
+        place = who.order.index(step.route) + 1
+        events = store.events(who.id, step)
+        if step.kind == TELLINGS[0]:
+            watched = store.events(who.id, StudyStep.of("watch", step.route))
+            events = [*watched, *events]
+        yield _Telling(place, told[step], answers[step], tuple(events))
 
 
 def _labels(labels: Labelled, agreed: Consensus | None) -> dict[str, Any]:

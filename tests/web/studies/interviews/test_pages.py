@@ -2,11 +2,14 @@
 
 import time
 from collections.abc import Callable, Generator
+from pathlib import Path
 from typing import Any
 
 import httpx2
 import pytest
 
+from memorymaze.basics.errors import StudyError
+from memorymaze.web.studies.exporting import export_study
 from memorymaze.web.studies.serving import serving_study
 from memorymaze.web.studies.store import open_store
 from memorymaze.web.studies.study_file import Study, load_study
@@ -143,6 +146,22 @@ def test_what_cannot_be_is_refused_and_said(
     sent = tablet.send(**fields)
     assert sent.status_code == 400
     assert said in sent.json()["refused"]
+
+
+def test_who_lacks_a_description_that_was_refused_is_left_out_and_named(
+    tablet: Tablet, tmp_path: Path
+) -> None:
+    study, store, other = tablet.store.study, tablet.store, "p00000000ff"
+    tablet.send("consent", other, cell="R1, R2")
+    for step in ("tell.R1", "retell.R1", "tell.R2"):
+        tablet.send(step, other, text="Left.")
+    assert tablet.send("retell.R2", other, text="x" * 30000).status_code == 400
+    tablet.send("done", other)
+    with pytest.raises(StudyError, match=f"some of {other} never came"):
+        export_study(study, store, tmp_path / "none.jsonl")
+    tablet.tell()
+    done = export_study(study, store, tmp_path / "mine.jsonl")
+    assert (done.participants, done.unwritten, done.lacking) == (1, 0, (other,))
 
 
 def test_whoever_does_not_know_both_places_is_excluded(tablet: Tablet) -> None:

@@ -183,7 +183,7 @@ def test_whose_recordings_are_not_written_down_is_left_out_and_counted(
     done = export_study(labeller.store.study, labeller.store, tmp_path / "x.jsonl")
     assert (done.participants, done.unwritten, done.instructions) == (1, 1, 4)
     labeller.store.withdraw(WHO)
-    with pytest.raises(StudyError, match="recordings are all written down"):
+    with pytest.raises(StudyError, match="all came and are written down"):
         export_study(labeller.store.study, labeller.store, tmp_path / "y.jsonl")
 
 
