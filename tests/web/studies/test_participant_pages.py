@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 
+from memorymaze.web.serving.web import FORM_KEY
 from memorymaze.web.studies.study_file import Study
 
 from .conftest import Served, Visitor
@@ -65,6 +66,23 @@ def test_who_comes_twice_with_an_id_is_sent_to_the_first_browser(
     again = served.browse()
     again.consent("?PROLIFIC_PID=5f00")
     assert "You have been here before" in again.page
+    assert len(served.store.participants()) == 1
+
+
+@pytest.mark.parametrize("query", ["?PROLIFIC_PID=5f00", ""])
+def test_a_consent_sent_twice_begins_once(
+    served: Served, one: Visitor, query: str
+) -> None:
+    one.get(f"/{query}")
+    form = one.page
+    one.consent(query)
+    first = one.client.cookies
+    one.client.cookies = {FORM_KEY: first[FORM_KEY]}
+    one.page = form
+    ids = {"id.PROLIFIC_PID": "5f00"} if query else {}
+    one.post("/consent", **ids, **{f"consent.{number}": "on" for number in range(3)})
+    assert "Have we been clear?" in one.page
+    assert dict(one.client.cookies) == dict(first)
     assert len(served.store.participants()) == 1
 
 
@@ -206,7 +224,10 @@ def test_somebody_withdraws_and_begins_anew(served: Served, one: Visitor) -> Non
     one.post("/withdraw")
     assert "Nothing of you is left" in one.page
     assert served.store.participants() == []
+    assert dict(one.client.cookies) == {}
     assert "Welcome" in one.get("/study")
+    one.reach_first_way()
+    assert len(served.store.participants()) == 1
 
 
 @pytest.mark.parametrize("path", ["/study", "/withdraw"])

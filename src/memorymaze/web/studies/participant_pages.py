@@ -6,7 +6,6 @@ have answered.
 
 import json
 import math
-import secrets
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from hashlib import sha256
@@ -18,7 +17,7 @@ from starlette.responses import FileResponse, JSONResponse, RedirectResponse, Re
 from starlette.routing import BaseRoute, Route
 
 from memorymaze.texts.corpus.statistics import word_count
-from memorymaze.web.serving.web import Fields, posted, render
+from memorymaze.web.serving.web import FORM_KEY, Fields, posted, render
 from memorymaze.web.studies.films import Films
 from memorymaze.web.studies.follow.drives import Drives
 from memorymaze.web.studies.follow.pages import FollowPages
@@ -112,7 +111,9 @@ class ParticipantPages:
             return self._show(
                 request, "consent.html", 400, ids=ids, agreed=agreed, problem=problem
             )
-        key = secrets.token_urlsafe(32)
+        # It follows from the cookie of forms, so that a form sent twice begins once.
+        form_key: str = request.state.form_key
+        key = sha256(b"participant of " + form_key.encode()).hexdigest()
         begun = self._store.begin(key, ids)
         if begun == "full":
             return self._end(request, "full", self._design.codes.full)
@@ -412,6 +413,8 @@ class ParticipantPages:
         done = self._store.withdraw(participant.id)
         response = self._show(request, "withdrawn.html", exported=bool(done.exports))
         response.delete_cookie(self._cookie)
+        # Else whoever begins anew would have the key of who withdrew.
+        response.delete_cookie(FORM_KEY)
         return response
 
     def _end(self, request: Request, why: str, code: str | None) -> Response:

@@ -133,10 +133,13 @@ class Store:
     ) -> Participant | Refusal:
         """Take in somebody who consented, for the order of routes that the fewest have.
 
-        `key` is what their browser is known by. Refused where all places are taken, or
-        somebody came with one of the ids before.
+        `key` is what their browser is known by; whoever sends it again is the same one.
+        Refused where all places are taken, or somebody came with one of the ids before.
         """
         with self.writing() as rows:
+            known = self.known_by(key)
+            if known is not None:
+                return known
             if self._has_platform_id(platform_ids or {}):
                 return "known"
             cell = self._emptiest_cell()
