@@ -146,7 +146,8 @@ class Visitor:
         """Send the form of the step that is open."""
         found = re.search(r'action="(/study/[^"]+)"', self.page)
         assert found, self.page
-        return self.post(found[1], **fields)
+        attempt = re.findall(r'name="(attempt)" value="(\d+)"', self.page)
+        return self.post(found[1], **dict(attempt), **fields)
 
     def reach_first_way(self, query: str = "") -> None:
         """Consent and answer what comes before the first way."""

@@ -189,7 +189,8 @@ class _Visitor:
             case "comprehension":
                 # Who misunderstood has read it again the next time.
                 right, self._understands = self._understands, True
-                return {
+                attempt = re.findall(r'name="(attempt)" value="(\d+)"', self._page)
+                return dict(attempt) | {
                     f"answer.{n}": _choice(question, right)
                     for n, question in enumerate(design.comprehension.questions)
                 }

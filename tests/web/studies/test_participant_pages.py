@@ -114,6 +114,24 @@ def test_the_comprehension_check_has_so_many_attempts(
         assert who.reason == "comprehension"
 
 
+def test_the_same_wrong_answers_sent_twice_are_one_attempt(
+    make_study: MakeStudy, serve_study: ServeStudy
+) -> None:
+    with serve_study(make_study("online", "attempts = 2")) as served:
+        one = served.browse()
+        one.consent()
+        for _ in range(3):
+            one.post("/study/comprehension", attempt="0", answer_0="0", answer_1="0")
+            assert "Not all answers were right" in one.page
+        [who] = served.store.participants()
+        assert who.state == "active"
+        # Nor are answers tried out from a page of before.
+        one.post("/study/comprehension", attempt="0", answer_0="1", answer_1="0")
+        assert "Not all answers were right" in one.page
+        one.send(answer_0="1", answer_1="0")
+        assert "Do you know the place?" in one.page
+
+
 def test_who_comes_when_all_places_are_taken_is_told_and_not_stored(
     make_study: MakeStudy, serve_study: ServeStudy
 ) -> None:

@@ -127,7 +127,7 @@ def test_kill_minus_nine_loses_no_answer_that_was_confirmed(
             client.post("/consent", data={"csrf_token": token, **agreed})
             name = ""
             for step, fields in (
-                ("comprehension", {"answer.0": "1", "answer.1": "0"}),
+                ("comprehension", {"attempt": "0", "answer.0": "1", "answer.1": "0"}),
                 ("familiarity", {"answer.0": "0"}),
                 ("scenario", {}),
             ):

@@ -185,7 +185,9 @@ class ParticipantPages:
         store, participant, given = self._store, place.participant, given or {}
         view: dict[str, Any] = {"questions": self._questions(step)}
         template = "question.html" if view["questions"] else f"{step.kind}.html"
-        if step.kind == "wait":
+        if step.kind == "comprehension":
+            view["attempt"] = self._failed_attempts(participant, step)
+        elif step.kind == "wait":
             view["seconds_left"] = self._seconds_left(step, place.answers)
         elif step.kind in TELLINGS:
             template = "tell.html"
@@ -268,7 +270,8 @@ class ParticipantPages:
     ) -> Taken | str:
         chosen = _chosen(self._questions(step), fields)
         if step.kind == "comprehension":
-            return self._taken_comprehension(who, step, chosen)
+            attempt = fields.get("attempt", "")
+            return self._taken_comprehension(who, step, chosen, attempt)
         if chosen is None:
             return "Please choose an answer."
         known = step.kind == "familiarity"
@@ -278,7 +281,7 @@ class ParticipantPages:
         return Taken(chosen[0], shown=right, excluded="familiarity" if knows_it else "")
 
     def _taken_comprehension(
-        self, who: Participant, step: StudyStep, chosen: list[str] | None
+        self, who: Participant, step: StudyStep, chosen: list[str] | None, attempt: str
     ) -> Taken | str:
         check = self._design.comprehension
         if chosen is None:
@@ -286,15 +289,25 @@ class ParticipantPages:
         wrong = [
             q for q, c in zip(check.questions, chosen, strict=True) if c != q.answer
         ]
-        if not wrong:
-            return Taken(json.dumps(chosen))
-        self._store.add_event(who.id, step, WRONG, len(wrong))
-        events = self._store.events(who.id, step)
-        if sum(event.kind == WRONG for event in events) < check.attempts:
+        # As one step: a form sent twice comes in two threads.
+        with self._store.writing():
+            failed = self._failed_attempts(who, step)
+            if attempt != str(failed):
+                return (
+                    "Not all answers were right that you sent before. Please read once "
+                    "more what this is about, and send your answers."
+                )
+            if not wrong:
+                return Taken(json.dumps(chosen))
+            self._store.add_event(who.id, step, WRONG, len(wrong))
+        if failed + 1 < check.attempts:
             return (
                 "Not all answers were right. Please read once more what this is about."
             )
         return Taken(json.dumps(chosen), excluded="comprehension")
+
+    def _failed_attempts(self, who: Participant, step: StudyStep) -> int:
+        return sum(event.kind == WRONG for event in self._store.events(who.id, step))
 
     def _seconds_left(
         self, step: StudyStep, answers: Mapping[StudyStep, SentAnswer]
