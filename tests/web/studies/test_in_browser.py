@@ -290,6 +290,10 @@ def test_what_is_typed_is_kept_when_the_browser_is_closed(
         back.goto(served.addresses.participants)
         area = back.get_by_label("Your description")
         assert area.input_value() == "Go straight and then left"
+        # Another window sends it meanwhile.
+        served_to.send(text=WAY)
+        area.type(" or so")
+        back.get_by_text("was sent already and cannot be changed").wait_for()
 
 
 @pytest.mark.proof

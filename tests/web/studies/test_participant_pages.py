@@ -169,6 +169,16 @@ def test_a_draft_is_there_when_somebody_comes_back(
         assert "Go to the\n&lt;b&gt;blue&lt;/b&gt; door</textarea>" in back.get("/")
 
 
+def test_a_draft_of_what_was_sent_already_is_refused_and_said(one: Visitor) -> None:
+    one.reach_first_way()
+    [draft] = re.findall(r'formaction="([^"]+)"', one.page)
+    one.send(text=WAY)
+    assert one.post(draft, text="Something else", quiet="1").status_code == 409
+    one.post(draft, text="Something else")
+    assert "was sent already and cannot be changed" in one.page
+    assert "Kept." not in one.page
+
+
 def test_a_page_sent_twice_counts_once(served: Served, one: Visitor) -> None:
     one.reach_first_way()
     [first] = re.findall(r'action="(/study/tell[^"]+)"', one.page)

@@ -339,7 +339,10 @@ class ParticipantPages:
         text = fields.get("text", "")
         if len(text) > LONGEST_TEXT:
             raise HTTPException(413, f"Please use at most {LONGEST_TEXT:,} characters.")
-        self._store.keep_draft(participant.id, step, text)
+        if not self._store.keep_draft(participant.id, step, text):
+            raise HTTPException(
+                409, "This description was sent already and cannot be changed."
+            )
         # A script wants no page; who pressed the button does.
         return Response(status_code=204) if "quiet" in fields else _to("/study?saved")
 

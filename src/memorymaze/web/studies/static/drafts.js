@@ -17,6 +17,11 @@ async function keep() {
       headers: { "X-CSRF-Token": token },
       body: new URLSearchParams({ text, quiet: "1" }),
     });
+    if (answer.status === 409) {
+      kept = text;
+      state.textContent = "This description was sent already and cannot be changed.";
+      return;
+    }
     if (!answer.ok) throw new Error(String(answer.status));
     kept = text;
     state.textContent = "Draft kept.";
