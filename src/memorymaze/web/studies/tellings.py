@@ -77,15 +77,13 @@ class StudyTellings:
 
     def add_transcript(
         self, participant: str, step: str, written_by: str, text: str, *, is_heard: bool
-    ) -> bool:
-        """Keep a version of what was said; False where the person has withdrawn."""
+    ) -> None:
+        """Keep a version of what was said, unless the person has withdrawn."""
         with self._store.writing() as rows:
-            return bool(
-                rows.execute(
-                    "INSERT INTO transcripts SELECT ?1, ?2, ?3, ?4, ?5, ?6 WHERE EXISTS "
-                    "(SELECT 1 FROM participants WHERE id = ?1)",
-                    (participant, step, written_by, is_heard, text, self._store.now()),
-                ).rowcount
+            rows.execute(
+                "INSERT INTO transcripts SELECT ?1, ?2, ?3, ?4, ?5, ?6 WHERE EXISTS "
+                "(SELECT 1 FROM participants WHERE id = ?1)",
+                (participant, step, written_by, is_heard, text, self._store.now()),
             )
 
     def told(self, participant: str | None = None) -> list[StudyTelling]:

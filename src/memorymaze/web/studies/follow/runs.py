@@ -9,8 +9,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from memorymaze.basics.errors import SettingsError, StudyError
-from memorymaze.runs.episodes.arena import Arena
-from memorymaze.runs.episodes.bodies import find_body
+from memorymaze.runs.episodes.arena import Arena, arena_of
 from memorymaze.runs.episodes.episode import EpisodeRun
 from memorymaze.runs.episodes.provenance import code_stamp
 from memorymaze.runs.episodes.results import EpisodeResult
@@ -57,7 +56,7 @@ def export_walks(study: Study, store: Store, out: str | Path) -> ExportedWalks:
         )
     agent = AgentSettings(PEOPLE)
     settings = replace(texts.settings, agent=agent)
-    arena = Arena(study.site, looks=settings.looks, body=find_body(settings.robot))
+    arena = arena_of(settings, study.site)
     # All are driven before anything is written: one that is refused leaves no half run.
     driven = [
         _Driven(who, walk, _again(walk, texts.episode(walk.text), arena, settings))

@@ -17,8 +17,7 @@ from memorymaze.agents.notes import ArrivalNote, GaveUpNote
 from memorymaze.basics.geometry.pose import Pose, turn_between
 from memorymaze.robot.api.control import Robot
 from memorymaze.robot.simulation.robot import SimulatedRobot
-from memorymaze.runs.episodes.arena import Arena
-from memorymaze.runs.episodes.bodies import find_body
+from memorymaze.runs.episodes.arena import Arena, arena_of
 from memorymaze.runs.episodes.episode import EpisodeRun, run_episode
 from memorymaze.runs.episodes.settings import RunDefinition
 from memorymaze.runs.episodes.trace_entries import TraceEntry
@@ -131,10 +130,8 @@ class SeenOnWalk(NamedTuple):
     answer: str
 
 
-class Ended(NamedTuple):
+class Ended:
     """That the walk is over without a word: the robot's budget is spent."""
-
-    stopped_by: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -152,12 +149,10 @@ class RobotToDrive:
     def __call__(self, connection: Connection) -> None:
         """Take up the walk where it was, and drive on as told."""
         driver = _Driver(connection, self.past, draws=self.draws)
-        arena = Arena(
-            self.site, looks=self.settings.looks, body=find_body(self.settings.robot)
-        )
+        arena = arena_of(self.settings, self.site)
         people = People(driver.commands(), driver.hear)
-        run = run_episode(people, self.episode, arena, self.settings, driver)
-        connection.send(Ended(run.result.stopped_by))
+        run_episode(people, self.episode, arena, self.settings, driver)
+        connection.send(Ended())
 
 
 class _Driver:
