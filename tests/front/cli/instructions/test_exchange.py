@@ -30,3 +30,18 @@ def test_a_file_is_not_written_over_by_what_it_becomes(
     assert said.code == 2
     assert f"--out {mine}: is read here" in said.err
     assert mine.read_text(encoding="utf-8") == "kept"
+
+
+@pytest.mark.parametrize("kind", ["csv", "parquet"])
+def test_how_rows_of_a_table_came_to_be_is_said_by_their_columns(
+    memorymaze: Memorymaze, tmp_path: Path, kind: str
+) -> None:
+    mine = tmp_path / "mine"
+    mine.write_text("site,route,text\nmuseum_5f,R1,Go left.\n", encoding="utf-8")
+    command = ("instructions", "import", mine, "--format", kind)
+    labels = ("--study", "onsite", "--source", "llm", "--out", tmp_path / "out.jsonl")
+    said = memorymaze(*command, *labels)
+    assert said.code == 2
+    assert "--study and --source: expected with --format r2r or vln_ce" in said.err
+    assert f"got --format {kind}, whose columns" in said.err
+    assert not (tmp_path / "out.jsonl").exists()

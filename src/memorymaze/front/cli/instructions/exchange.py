@@ -106,6 +106,12 @@ def _import(options: argparse.Namespace) -> None:
         raise SettingsError("--study and --source: expected both or neither, got one")
     labels = options.study and Unlabelled(options.study, options.source)
     if options.format in {"csv", "parquet"}:
+        if labels:
+            raise SettingsError(
+                f"--study and --source: expected with --format r2r or vln_ce, got "
+                f"--format {options.format}, whose columns study and source say so; "
+                "leave them out"
+            )
         read = [
             each
             for file in options.files
