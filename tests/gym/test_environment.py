@@ -315,6 +315,14 @@ def test_it_draws_what_the_camera_sees_and_closes_twice(make_tiny: MakeTiny) -> 
         pytest.param(
             {"settings": {"budget_by": "longest"}}, "no use for budget_by", id="time"
         ),
+        pytest.param(
+            {"settings": {"turning_points": "lidar", "detection_range": 1.0}},
+            "no use for detection_range, turning_points",
+            id="of the control API",
+        ),
+        pytest.param(
+            {"settings": {"call_budget": 5}}, "no use for call_budget", id="calls"
+        ),
         pytest.param({"sensors": ("sonar",)}, "rgb, depth, lidar", id="sensor"),
         pytest.param({"sensors": "rgb"}, "in a list", id="sensors as text"),
         pytest.param({"sensors": {"width": 0}}, "width", id="width"),

@@ -43,6 +43,7 @@ ENVIRONMENTS: dict[str, str | None] = {
 WITHOUT_USE = (
     *("seed", "limit", "shard", "second_telling", "budget_by", "wall_limit"),
     *("ask", "detector", "signs", "isolate"),
+    *("detection_range", "turning_points", "call_budget"),
 )
 """Settings of a run that mean nothing in an environment."""
 
@@ -307,7 +308,7 @@ def _settings_of_an_environment(
     if without_use:
         raise SettingsError(
             f"settings: an environment has no use for {', '.join(without_use)}: seeds and "
-            "episodes are chosen by reset(), time is told by max_steps or time_budget, and "
+            "episodes are chosen by reset(), budgets are max_steps and time_budget, and "
             "nothing is detected or asked"
         )
     return settings

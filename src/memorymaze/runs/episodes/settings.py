@@ -233,9 +233,9 @@ class RunSettings:
         return "default" if self.obstacles is None else "obstacles"
 
     def changed(self, names: Iterable[str]) -> list[str]:
-        """Return those of these settings that are not as they are by default."""
+        """Return those of these settings that are not as by default, the simulation's too."""
         plain = RunSettings()
-        return [each for each in names if getattr(self, each) != getattr(plain, each)]
+        return [each for each in names if self._named(each) != plain._named(each)]
 
     def check_budget(self, of_corpus: float | None = None) -> None:
         """Refuse a time budget beside `budget_by`; one that comes with a corpus may be."""
@@ -245,24 +245,19 @@ class RunSettings:
                 f"time_budget {self.time_budget}; leave one of them out"
             )
 
+    def _named(self, name: str) -> Any:
+        return getattr(self if hasattr(self, name) else self.simulation, name)
+
     def _check_body(self) -> None:
         """Refuse what is of the simulated body where there is another one."""
         if self.robot is None:
             return
-        motion, plain = self.simulation, SimulationSettings()
-        of_simulation = {
-            "obstacles": self.obstacles is not None,
-            "noise": self.noise is not None,
-            "motion": motion.motion != plain.motion,
-            "wheel_noise": motion.wheel_noise != plain.wheel_noise,
-            "looks": self.looks is not None,
-        }
-        for name, is_given in of_simulation.items():
-            if is_given:
-                raise SettingsError(
-                    f"{name}: is of the simulated robot and its building, and --robot "
-                    f"{self.robot.name} has its own; leave one of them out"
-                )
+        of_simulation = ("obstacles", "noise", "motion", "wheel_noise", "looks")
+        for name in self.changed(of_simulation):
+            raise SettingsError(
+                f"{name}: is of the simulated robot and its building, and --robot "
+                f"{self.robot.name} has its own; leave one of them out"
+            )
 
     def _check_asking(self) -> None:
         """See that there are people to ask, the usual ones where nobody says which."""
