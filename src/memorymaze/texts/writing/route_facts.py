@@ -65,13 +65,7 @@ class RouteFacts:
                 zip(self.route.turns, self.cues, self.stretches[:-1], strict=True)
             )
         )
-        plan = StepPlan(
-            self.graph.site.name,
-            self.route.id,
-            turns,
-            self._ending,
-            self.graph.things_by_words,
-        )
+        plan = StepPlan(turns, self._ending, self.graph.things_by_words)
         found = self.follow(plan)
         if not found.arrived:
             raise SitePlanError(
@@ -184,7 +178,7 @@ class RouteFacts:
             )
             for k, each in enumerate(self.route.turns[: n + 1])
         ]
-        plan = StepPlan("", "", tuple(turns), self._ending, {})
+        plan = StepPlan(tuple(turns), self._ending, {})
         wanted = tuple(turn.at for turn in turns)
         return self.follow(plan).turned == wanted
 

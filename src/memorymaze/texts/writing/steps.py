@@ -166,8 +166,6 @@ class ToldEnding:
 class StepPlan:
     """A whole description of one route."""
 
-    site: str
-    route_id: str
     turns: tuple[Step, ...]
     ending: ToldEnding
     things: Mapping[str, Thing] = field(compare=False, repr=False)
