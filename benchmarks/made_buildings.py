@@ -21,8 +21,6 @@ from memorymaze.world.sites import BUILTIN_SITE_NAMES, Site, load_site
 
 CABOT = {1: 269, 2: 56, 3: 205, 4: 41}
 """Nodes by degree on floor 4 of CaBot's public test data (MIT licence)."""
-SIGHT_EVERY = 15
-"""Degrees between the rays of a sight line."""
 FAR = 150.0
 """Metres."""
 

@@ -6,14 +6,12 @@ reading of language is measured: `python -m benchmarks.repair [--sample N]`
 (docs/lab/benches.md, which also says how an agent tells that it doubts).
 """
 
-import json
 import math
 import sys
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
-from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
@@ -33,7 +31,7 @@ from benchmarks.plan_walks import (
     share,
     walk_plans,
 )
-from memorymaze.agents.plan_readers import read_plan_reply
+from benchmarks.reading import recorded_plans
 from memorymaze.basics.errors import SitePlanError
 from memorymaze.basics.tables import Column, Table
 from memorymaze.language.plans import Arrival, Leg, Mention, RoutePlan, Turn
@@ -47,7 +45,6 @@ from memorymaze.texts.writing.turning_point_graph import TurningPointGraph, side
 from memorymaze.world.sites import BUILTIN_SITE_NAMES, Route, Site
 
 PLACES_AT_THE_TURN = ("turn", "beside", "before_turn", "after_turn", "opposite")
-RECORDED = Path(__file__).parents[1] / "examples/recorded/plans.jsonl"
 KINDS: Mapping[str, str] = {
     "wrong_direction": "wrong side of a turn",
     "wrong_turning_point": "wrong turning point",
@@ -94,10 +91,7 @@ def recorded_twins(
     count: int | None, graphs: Mapping[str, TurningPointGraph]
 ) -> Iterator[Twin]:
     """Yield the recorded plans of shipped texts without errors that tell their turns."""
-    plans = {
-        record["instruction_id"]: read_plan_reply(record["reply"])
-        for record in map(json.loads, RECORDED.read_text("utf-8").splitlines())
-    }
+    plans = recorded_plans("plans")
     corpus = load_corpus()
     right = [each for each in corpus.episodes if not each.instruction.failures]
     for episode in sample(right, count):
