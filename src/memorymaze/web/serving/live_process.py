@@ -46,11 +46,6 @@ class LiveProcess:
         with self._telling, contextlib.suppress(OSError):
             self._connection.send(message)
 
-    @property
-    def is_alive(self) -> bool:
-        """Whether it has not ended."""
-        return self._process.is_alive()
-
     def end(self) -> None:
         """End it now, whatever it does."""
         self._process.kill()
