@@ -6,7 +6,7 @@ import pytest
 from memorymaze.basics.errors import SettingsError, StudyError
 from memorymaze.basics.input_files import field_lines
 from memorymaze.web.studies.study_file import (
-    KINDS,
+    STUDY_KINDS,
     Study,
     StudyKind,
     load_study,
@@ -17,7 +17,7 @@ from memorymaze.world.sites import load_site
 MakeStudy = Callable[..., Study]
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", STUDY_KINDS)
 @pytest.mark.parametrize("site", ["university", "museum_5f"])
 def test_a_new_study_file_can_be_read_as_it_is(
     tmp_path: Path, kind: StudyKind, site: str

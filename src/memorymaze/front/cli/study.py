@@ -12,8 +12,6 @@ if TYPE_CHECKING:
     from memorymaze.web.studies.serving import Addresses
     from memorymaze.web.studies.study_file import Study
 
-KINDS = ("online", "memory", "onsite", "follow")
-
 
 def add_parser(verbs: Verbs) -> None:
     """Add the verb to the command line."""
@@ -39,18 +37,24 @@ def _add_new(actions: Verbs) -> None:
         "questions, quotas. Change it into your study.",
         epilog="example: memorymaze study new my_study.toml --site university "
         "--kind memory",
+        options=_add_new_options,
     )
+    parser.set_defaults(run=_new)
+
+
+def _add_new_options(parser: argparse.ArgumentParser) -> None:
+    from memorymaze.web.studies.study_file import STUDY_KINDS
+
     parser.add_argument("file", metavar="FILE", help="study file to write (TOML)")
     parser.add_argument(
         "--site", metavar="SITE", required=True, help="a shipped site, or a plan file"
     )
     parser.add_argument(
         "--kind",
-        choices=KINDS,
+        choices=STUDY_KINDS,
         default="online",
         help="what people do (default: online)",
     )
-    parser.set_defaults(run=_new)
 
 
 def _new(options: argparse.Namespace) -> None:

@@ -7,7 +7,7 @@ import os
 from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
-from typing import Annotated, Literal, Self
+from typing import Annotated, Literal, Self, get_args
 
 from pydantic import (
     AfterValidator,
@@ -37,7 +37,7 @@ from memorymaze.texts.corpus.records import Text
 from memorymaze.world.sites import BUILTIN_SITE_NAMES, Route, Site, load_site
 
 StudyKind = Literal["online", "memory", "onsite", "follow"]
-KINDS: tuple[StudyKind, ...] = ("online", "memory", "onsite", "follow")
+STUDY_KINDS: tuple[StudyKind, ...] = get_args(StudyKind)
 
 BY_THEMSELVES = ("platform_ids", "codes", "comprehension")
 """What only people who take part by themselves need."""
