@@ -36,16 +36,12 @@ def add_agent_options(parser: argparse.ArgumentParser) -> None:
     add_flags(model.add_argument, ModelSettings)
 
 
-WHICH_EPISODES = ("limit", "split", "shard", "second_telling", "wall_limit")
-"""Settings that only runs of several episodes have."""
-
-
 def add_episode_options(parser: argparse.ArgumentParser) -> None:
     """Add the options that every episode obeys, as a group."""
-    from memorymaze.runs.episodes.settings import RunSettings
+    from memorymaze.runs.episodes.settings import OF_MANY_EPISODES, RunSettings
 
     group = parser.add_argument_group("how episodes are run")
-    every = [name for name in flag_names(RunSettings) if name not in WHICH_EPISODES]
+    every = [name for name in flag_names(RunSettings) if name not in OF_MANY_EPISODES]
     add_flags(group.add_argument, RunSettings, every)
     group.add_argument(
         "--with",
@@ -100,11 +96,11 @@ def episode_settings(options: argparse.Namespace, base: "RunSettings") -> "RunSe
 def one_episode_settings(options: argparse.Namespace) -> "RunSettings":
     """Return the settings of a single episode; refuse those that choose among several."""
     from memorymaze.basics.errors import SettingsError
-    from memorymaze.runs.episodes.settings import RunSettings
+    from memorymaze.runs.episodes.settings import OF_MANY_EPISODES, RunSettings
 
     settings = episode_settings(options, RunSettings())
     for each in given_settings(options):
-        if each.name in WHICH_EPISODES:
+        if each.name in OF_MANY_EPISODES:
             where = f"{each.place}: " if each.place else ""
             raise SettingsError(
                 f"{where}{each.called}: is for runs of several episodes; leave it out, or "

@@ -19,7 +19,7 @@ from memorymaze.runs.episodes.navigation import (
     write_navigation,
 )
 from memorymaze.runs.episodes.seeds import seeds_of
-from memorymaze.runs.episodes.settings import RunSettings
+from memorymaze.runs.episodes.settings import OF_MANY_EPISODES, RunSettings
 from memorymaze.runs.episodes.trace import plain_entries
 from memorymaze.world.sites import Route, Site, load_site
 
@@ -30,8 +30,6 @@ if TYPE_CHECKING:
     from memorymaze.runs.episodes.episode import EpisodeRun, Watcher
     from memorymaze.runs.episodes.results import EpisodeResult
 
-OF_MANY_EPISODES = ("limit", "shard", "split", "second_telling", "wall_limit")
-"""Settings that say which episodes a run has, and how long one waits for each."""
 OF_AN_AGENT = ("ask", "isolate", "budget_by")
 """Settings that mean nothing where nobody follows an instruction."""
 

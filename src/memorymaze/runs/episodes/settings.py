@@ -32,6 +32,8 @@ from memorymaze.world.looks import Looks
 BudgetBy = Literal["way", "longest"]
 WALL_LIMIT = 3600.0
 """Real seconds an episode may take when nobody says otherwise."""
+OF_MANY_EPISODES = ("limit", "shard", "split", "second_telling", "wall_limit")
+"""Settings that say which episodes a run has, and how long one waits for each."""
 Track = Literal["default", "obstacles", "people"]
 """Results of different tracks are not compared: as in the plan; with things and people in
 the way; with people one can ask."""
