@@ -10,7 +10,6 @@ import contextlib
 import multiprocessing
 import os
 import pickle
-import signal
 import sys
 from collections.abc import Callable, Sequence
 from multiprocessing.connection import Connection
@@ -37,7 +36,7 @@ from memorymaze.basics.errors import (
     SettingsError,
 )
 from memorymaze.basics.failures import failure_line, failure_traceback
-from memorymaze.basics.processes import die_with_parent, main_left_out
+from memorymaze.basics.processes import begin_worker, main_left_out
 from memorymaze.language.models.model import (
     Completion,
     CompletionRequest,
@@ -272,8 +271,7 @@ class _FarModel:
 
 def _live(connection: Connection) -> None:
     """Make the agent and let it follow, episode after episode."""
-    die_with_parent()
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    begin_worker()
     make, told, kept_from = connection.recv()
     model = None if told is None else _FarModel(connection, told)
     sys.addaudithook(_keeper(kept_from))

@@ -11,6 +11,8 @@ from multiprocessing import forkserver, resource_tracker
 from multiprocessing.connection import wait
 from multiprocessing.process import BaseProcess
 
+PROCESSES = multiprocessing.get_context("forkserver")
+"""What processes that work for this one are started with."""
 _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
 
 
@@ -42,7 +44,7 @@ def start_server(*modules: str) -> None:
     Workers hold no locks or threads of this process's libraries, and begin with what the
     server has imported once for all of them.
     """
-    multiprocessing.get_context("forkserver").set_forkserver_preload([*modules])
+    PROCESSES.set_forkserver_preload([*modules])
     # Ctrl-C reaches every process of the terminal; the parent decides what it means.
     # A blocked signal stays blocked in the server that this starts, and its children;
     # what tracks resources would unblock it if it was started only then.
@@ -69,6 +71,13 @@ def _one_thread_each() -> Generator[None]:
     finally:
         for name in unset:
             del os.environ[name]
+
+
+def begin_worker() -> None:
+    """Have this process ignore Ctrl-C, and end when the one that started it is gone."""
+    # Ctrl-C reaches every process of the terminal; the parent decides what it means.
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    die_with_parent()
 
 
 def die_with_parent() -> None:

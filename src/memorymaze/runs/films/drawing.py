@@ -1,9 +1,7 @@
 """Drawing the frames of a film: no picture twice, and by as many processes as help."""
 
 import math
-import multiprocessing
 import os
-import signal
 from collections import deque
 from collections.abc import Generator, Iterable, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor
@@ -17,8 +15,9 @@ from numpy.typing import NDArray
 from memorymaze.basics.errors import MemoryMazeError
 from memorymaze.basics.geometry.pose import Pose, turn_between
 from memorymaze.basics.processes import (
+    PROCESSES,
     available_cores,
-    die_with_parent,
+    begin_worker,
     main_left_out,
     start_server,
 )
@@ -28,7 +27,6 @@ from memorymaze.world.cameras.camera import RenderedCamera
 from memorymaze.world.cameras.visual_scene import build_visual_scene
 from memorymaze.world.sites.records import Site
 
-PROCESSES = multiprocessing.get_context("forkserver")
 MOST_PROCESSES = 8
 """That draw; the encoder, a single thread, keeps up with no more."""
 POSES_EACH = 10
@@ -140,9 +138,7 @@ _artist: "Artist | None" = None
 
 def _begin(site: Site, settings: WalkthroughSettings) -> None:
     global _task
-    # Ctrl-C reaches every process of the terminal; the parent decides what it means.
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    die_with_parent()
+    begin_worker()
     # There is a process for each core: threads of Mesa's would only wait for another.
     os.environ.setdefault("LP_NUM_THREADS", "0")
     _task = (site, settings)

@@ -3,7 +3,6 @@
 import contextlib
 import gc
 import math
-import multiprocessing
 import os
 import signal
 from collections.abc import Callable, Mapping, Sequence
@@ -14,6 +13,7 @@ from typing import Literal
 
 from memorymaze.basics.errors import MemoryMazeError, SettingsError
 from memorymaze.basics.processes import (
+    PROCESSES,
     available_cores,
     die_with_parent,
     main_left_out,
@@ -28,8 +28,6 @@ from memorymaze.runs.work.episode_worker import (
     EpisodeWorker,
 )
 from memorymaze.runs.work.worker_pool import LEAVING_TIME, WorkerDied
-
-PROCESSES = multiprocessing.get_context("forkserver")
 
 
 @dataclass(frozen=True, slots=True)

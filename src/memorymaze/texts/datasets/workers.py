@@ -1,7 +1,5 @@
 """Work done by several processes of this machine, its results in order."""
 
-import multiprocessing
-import signal
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
@@ -9,16 +7,15 @@ from typing import TypeVar
 
 from memorymaze.basics.errors import MemoryMazeError
 from memorymaze.basics.processes import (
+    PROCESSES,
     available_cores,
-    die_with_parent,
+    begin_worker,
     main_left_out,
     start_server,
 )
 
 Task = TypeVar("Task")
 _Result = TypeVar("_Result")
-
-PROCESSES = multiprocessing.get_context("forkserver")
 
 
 def done_by_processes(
@@ -36,7 +33,7 @@ def done_by_processes(
         yield from map(do, tasks)
         return
     start_server("memorymaze.texts.datasets")
-    pool = ProcessPoolExecutor(workers, PROCESSES, initializer=_begin)
+    pool = ProcessPoolExecutor(workers, PROCESSES, initializer=begin_worker)
     try:
         with main_left_out():
             results = [pool.submit(do, task) for task in tasks]
@@ -48,9 +45,3 @@ def done_by_processes(
         ) from None
     finally:
         pool.shutdown(cancel_futures=True)
-
-
-def _begin() -> None:
-    # Ctrl-C reaches every process of the terminal; the parent decides what it means.
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    die_with_parent()

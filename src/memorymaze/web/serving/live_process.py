@@ -5,18 +5,14 @@ be ended at any moment, and what it opened (such as OpenGL) ends with it.
 """
 
 import contextlib
-import multiprocessing
 import os
-import signal
 import threading
 from collections.abc import Callable
 from multiprocessing.connection import Connection
 from typing import Any
 
 from memorymaze.basics.errors import MemoryMazeError
-from memorymaze.basics.processes import die_with_parent, main_left_out
-
-PROCESSES = multiprocessing.get_context("forkserver")
+from memorymaze.basics.processes import PROCESSES, begin_worker, main_left_out
 
 Work = Callable[[Connection], None]
 """What a process does, with its end of the connection; pickled on the way there."""
@@ -66,11 +62,9 @@ class LiveProcess:
 
 def _live(connection: Connection, work: Work) -> None:
     """Do the work; the life of a process."""
-    # Ctrl-C reaches every process of the terminal; the parent decides what it means.
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    begin_worker()
     with contextlib.suppress(OSError):
         os.dup2(2, 1)
-    die_with_parent()
     try:
         work(connection)
     except (EOFError, BrokenPipeError):
