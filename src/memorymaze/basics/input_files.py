@@ -9,15 +9,17 @@ import json
 import re
 import tomllib
 import zlib
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 from memorymaze.basics.errors import MemoryMazeError, did_you_mean
 
 if TYPE_CHECKING:
-    from pydantic import ValidationError
+    from pydantic import BaseModel, ValidationError
+
+_Model = TypeVar("_Model", bound="BaseModel")
 
 LARGEST_FILE = 2**28
 """Bytes; what is longer, such as an endless device, is refused."""
@@ -125,6 +127,33 @@ def parse_toml(
         return tomllib.loads(text)
     except tomllib.TOMLDecodeError as mistake:
         raise error(f"{path}: expected TOML, got a mistake: {mistake}") from None
+
+
+def read_toml(
+    path: Path,
+    model: type[_Model],
+    error: type[MemoryMazeError],
+    known: Collection[str],
+) -> tuple[str, _Model]:
+    """Return the text of a TOML file, and what it says as a model.
+
+    What is wrong raises an error of the kind given, which names the line of each field; one
+    that there is not may be meant for a `known` one.
+    """
+    from pydantic import ValidationError
+
+    text = read_text(path, error)
+    content = parse_toml(text, path, error)
+    try:
+        return text, model.model_validate(content)
+    except ValidationError as wrong:
+        problems: list[str] = []
+        for where, said in mistakes(wrong):
+            if "Extra inputs" in said:
+                meant = did_you_mean(where.rpartition(".")[2], known)
+                said = f"expected no field of this name{meant}"
+            problems.append(field_problem(path, text, where, said))
+        raise refusal(problems, error) from None
 
 
 def field_problem(path: Path, text: str, where: str, said: str) -> str:

@@ -24,7 +24,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Annotated, Any
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import BaseModel, ConfigDict, Field
 
 from memorymaze.basics.durable_files import write_whole
 from memorymaze.basics.errors import (
@@ -36,12 +36,9 @@ from memorymaze.basics.errors import (
 from memorymaze.basics.input_files import (
     field_place,
     field_problem,
-    mistakes,
     parse_record,
-    parse_toml,
     read_lines,
-    read_text,
-    refusal,
+    read_toml,
 )
 from memorymaze.basics.options import as_given
 from memorymaze.basics.tables import Table
@@ -135,16 +132,8 @@ class Suite:
 def read_suite(path: str | Path) -> Suite:
     """Read a suite; SettingsError lists what is wrong, each with its line."""
     path = Path(path)
-    text = read_text(path, SettingsError)
-    content = parse_toml(text, path, SettingsError)
-    try:
-        read = _SuiteFile.model_validate(content)
-    except ValidationError as error:
-        problems = [
-            field_problem(path, text, where, _unless_unknown(where, said))
-            for where, said in mistakes(error)
-        ]
-        raise refusal(problems, SettingsError) from None
+    fields = _SuiteFile.model_fields
+    text, read = read_toml(path, _SuiteFile, SettingsError, fields)
     known = [COMPARE, "both", *TABLES]
     for name in read.tables:
         if name not in known:
@@ -164,14 +153,6 @@ def read_suite(path: str | Path) -> Suite:
         for own in [_given(path, text, f"runs[{number}]", run)]
     ]
     return Suite(tuple(runs), tuple(read.tables), read.absent)
-
-
-def _unless_unknown(where: str, said: str) -> str:
-    if "Extra inputs" not in said:
-        return said
-    return (
-        f"expected no field of this name{did_you_mean(where, _SuiteFile.model_fields)}"
-    )
 
 
 def _given(path: Path, text: str, table: str, part: _Defaults) -> list[GivenSetting]:

@@ -14,7 +14,6 @@ from pydantic import (
     BaseModel,
     ConfigDict,
     Field,
-    ValidationError,
     model_validator,
 )
 from shapely import Point
@@ -24,13 +23,10 @@ from memorymaze.basics.errors import (
     SettingsError,
     SitePlanError,
     StudyError,
-    did_you_mean,
 )
 from memorymaze.basics.input_files import (
     field_problem,
-    mistakes,
-    parse_toml,
-    read_text,
+    read_toml,
     refusal,
 )
 from memorymaze.texts.corpus.records import Text
@@ -331,16 +327,8 @@ class Study:
 def load_study(path: str | Path) -> Study:
     """Read a study file; StudyError lists what is wrong, each with line and field."""
     path = Path(path)
-    text = read_text(path, StudyError)
-    content = parse_toml(text, path, StudyError)
-    try:
-        design = StudyDesign.model_validate(content)
-    except ValidationError as error:
-        problems = [
-            field_problem(path, text, where, _unless_unknown(where, said))
-            for where, said in mistakes(error)
-        ]
-        raise refusal(problems, StudyError) from None
+    known = {field for part in _PARTS for field in part.model_fields}
+    text, design = read_toml(path, StudyDesign, StudyError, known)
     try:
         beside = path.parent / design.site
         site = load_site(beside if beside.is_file() else design.site)
@@ -410,11 +398,3 @@ def _route_problems(
             said = f"expected a video file that is there, got {shown.video!r}"
             problems.append(field_problem(path, text, f"routes[{number}].video", said))
     return problems
-
-
-def _unless_unknown(where: str, said: str) -> str:
-    if "Extra inputs" not in said:
-        return said
-    name = where.rpartition(".")[2]
-    known = {field for part in _PARTS for field in part.model_fields}
-    return f"expected no field of this name{did_you_mean(name, known)}"
