@@ -8,8 +8,8 @@ from shapely import LineString
 
 from memorymaze.basics.errors import MemoryMazeError
 from memorymaze.robot.simulation.scene import build_scene
-from memorymaze.texts.datasets.walks import STEP, TURN, walk_by_steps
-from memorymaze.texts.exchange.vln_ce import FORWARD, LEFT, RIGHT, STOP
+from memorymaze.texts.datasets.walks import walk_by_steps
+from memorymaze.texts.exchange.vln_ce import FORWARD, LEFT, RIGHT, STEP, STOP, TURN
 from memorymaze.world.sites import load_site
 
 

@@ -24,9 +24,9 @@ from memorymaze.texts.datasets import frame_videos
 from memorymaze.texts.datasets.buildings import FinishedBuilding
 from memorymaze.texts.datasets.frame_videos import FPS
 from memorymaze.texts.datasets.moments import RowMoments
-from memorymaze.texts.datasets.walks import STEP, TURN, StepWalk
+from memorymaze.texts.datasets.walks import StepWalk
 from memorymaze.texts.datasets.workers import done_by_processes
-from memorymaze.texts.exchange.vln_ce import FORWARD, LEFT, RIGHT, STOP
+from memorymaze.texts.exchange.vln_ce import FORWARD, LEFT, RIGHT, STEP, STOP, TURN
 from memorymaze.world.sites import Site
 
 VERSION = "v3.0"

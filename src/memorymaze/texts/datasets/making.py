@@ -21,11 +21,9 @@ from memorymaze.texts.datasets.buildings import (
 )
 from memorymaze.texts.datasets.description import page, statistics
 from memorymaze.texts.datasets.splits import FEWEST, SEEDS_APART, SPLITS, plan_buildings
-from memorymaze.texts.datasets.walks import STEP, TURN
 from memorymaze.texts.datasets.workers import done_by_processes
-from memorymaze.texts.exchange.vln_ce import write_vln_ce
+from memorymaze.texts.exchange.vln_ce import STEP, TURN, write_vln_ce
 from memorymaze.texts.writing import parse_rates
-from memorymaze.world.construction import BUILDING_KINDS
 
 MARK = "dataset.json"
 """The file by which a folder is known as a dataset."""
@@ -127,7 +125,7 @@ def make_dataset(
             members = [text for text in texts if text.split == split]
             write_instructions(unfinished / f"{split}.jsonl", members)
         sites = {each.site.name: each.site for each in buildings}
-        write_vln_ce(unfinished / "vln_ce", texts, sites, step=STEP, turn=TURN)
+        write_vln_ce(unfinished / "vln_ce", texts, sites)
         if request.frame_size is not None:
             # Most datasets have no frames, and need neither video nor table libraries.
             from memorymaze.texts.datasets.lerobot import write_frames
@@ -162,7 +160,7 @@ def _buildings(
             request.seed,
             walked=request.frame_size is not None,
         )
-        for planned in plan_buildings(BUILDING_KINDS, request.buildings, request.seed)
+        for planned in plan_buildings(request.buildings, request.seed)
     ]
     finished: list[FinishedBuilding] = []
     for each in done_by_processes(finish_building, tasks, workers):

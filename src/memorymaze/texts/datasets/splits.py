@@ -10,7 +10,7 @@ from typing import Literal
 
 import numpy as np
 
-from memorymaze.world.construction import BuildingKind
+from memorymaze.world.construction import BUILDING_KINDS, BuildingKind
 
 Split = Literal["train", "val_seen", "val_unseen", "test"]
 SPLITS: tuple[Split, ...] = ("train", "val_seen", "val_unseen", "test")
@@ -43,17 +43,14 @@ class PlannedBuilding:
         return split
 
 
-def plan_buildings(
-    kinds: Sequence[BuildingKind], count: int, seed: int
-) -> list[PlannedBuilding]:
+def plan_buildings(count: int, seed: int) -> list[PlannedBuilding]:
     """Plan the buildings of a dataset; kinds take turns, and are spread over the splits.
 
     Args:
-        kinds: Kinds of buildings.
         count: How many; at least `FEWEST`.
         seed: Of the dataset.
     """
-    rng = np.random.default_rng([seed, count])
+    kinds, rng = BUILDING_KINDS, np.random.default_rng([seed, count])
     # The place of a building within its kind, from 0 to 1, parts every kind alike.
     level = np.empty(count)
     for first in range(min(len(kinds), count)):

@@ -15,13 +15,13 @@ from memorymaze.texts.exchange.vln_ce import (
     FORWARD,
     LEFT,
     RIGHT,
+    STEP,
     STOP,
+    TURN,
     LineFollower,
 )
 from memorymaze.world.sites.records import Route
 
-STEP, TURN = 0.25, math.radians(15)
-"""Metres and radians of an action; those of VLN-CE's ground truth."""
 SHORT = 0.01
 """Metres that a step may lack."""
 UNHURRIED = SimulationSettings(
@@ -58,7 +58,7 @@ def walk_by_steps(scene: Scene, route: Route) -> StepWalk:
         MemoryMazeError: Something is in the way.
     """
     line = [(x, y) for x, y, *_ in route.line.coords]
-    follower = LineFollower(line, STEP, TURN)
+    follower = LineFollower(line)
     robot = SimulatedRobot(scene, route.start, UNHURRIED)
     actions: list[int] = []
     poses: list[Pose] = []

@@ -38,6 +38,10 @@ SAME_PLACE = 0.01
 SAME_HEADING = math.radians(0.5)
 STOP, FORWARD, LEFT, RIGHT = 0, 1, 2, 3
 """Numbers of the actions in VLN-CE."""
+STEP, TURN = 0.25, math.radians(15)
+"""Metres and radians of an action."""
+GOAL_RADIUS = 3.0
+"""Metres; of every goal."""
 LOOK_AHEAD = 0.75
 """Metres along the line from where the agent is to where it heads for."""
 PADDING, UNKNOWN = 0, 1
@@ -109,10 +113,6 @@ def write_vln_ce(
     folder: str | Path,
     instructions: Iterable[Instruction],
     sites: Mapping[str, Site],
-    *,
-    success_distance: float = 3.0,
-    step: float = 0.25,
-    turn: float = math.radians(15),
 ) -> list[Path]:
     """Write `SPLIT/SPLIT.json.gz` and `SPLIT/SPLIT_gt.json.gz` for each split.
 
@@ -124,9 +124,6 @@ def write_vln_ce(
         folder: Where; made if need be.
         instructions: Whose sites and routes exist.
         sites: Sites by name.
-        success_distance: Radius of the goals, metres.
-        step: Metres of a step forward in the ground truth.
-        turn: Radians of a turn in the ground truth.
 
     Returns:
         The files written.
@@ -149,11 +146,11 @@ def write_vln_ce(
             route = sites[each.site].find_route(each.reference_route)
             trajectory = trajectories.setdefault(way, len(trajectories) + 1)
             if way not in walks:
-                walks[way] = _ground_truth(route, step, turn)
+                walks[way] = _ground_truth(route)
             episodes.append({
                 "episode_id": number,
                 "trajectory_id": trajectory,
-                **_episode(each, route, words, success_distance),
+                **_episode(each, route, words),
             })
             truth[str(number)] = walks[way]
         place = folder / split
@@ -200,14 +197,14 @@ def read_vln_ce(
 
 
 def _episode(
-    instruction: Instruction, route: Route, words: WordNumbers, success_distance: float
+    instruction: Instruction, route: Route, words: WordNumbers
 ) -> dict[str, Any]:
     points = [to_position(x, y) for x, y, *_ in route.line.coords]
     return {
         "scene_id": f"memorymaze/{instruction.site}.geojson",
         "start_position": points[0],
         "start_rotation": to_rotation(route.start_heading),
-        "goals": [{"position": points[-1], "radius": success_distance}],
+        "goals": [{"position": points[-1], "radius": GOAL_RADIUS}],
         "instruction": {
             "instruction_text": instruction.text,
             "instruction_tokens": words.numbers(instruction.text),
@@ -220,10 +217,8 @@ def _episode(
     }
 
 
-def _ground_truth(route: Route, step: float, turn: float) -> dict[str, Any]:
-    walk = walk_along(
-        [point[:2] for point in route.line.coords], route.start, step=step, turn=turn
-    )
+def _ground_truth(route: Route) -> dict[str, Any]:
+    walk = walk_along([point[:2] for point in route.line.coords], route.start)
     return {
         "locations": [to_position(x, y) for x, y in walk.places],
         "forward_steps": walk.actions.count(FORWARD),
@@ -305,10 +300,10 @@ class LineFollower:
     to the end. It never strays farther from the line than about a step.
     """
 
-    def __init__(self, line: ArrayLike, step: float, turn: float) -> None:
-        """Begin on the line's first vertex, with metres of a step, radians of a turn."""
+    def __init__(self, line: ArrayLike, turn: float = TURN) -> None:
+        """Begin on the line's first vertex, with radians of a turn."""
         self._line = line
-        self._step, self._turn = step, turn
+        self._turn = turn
         self._total = length(line)
         self._end = tuple(point_at(line, self._total).tolist())
         self._along = 0.0
@@ -332,24 +327,21 @@ class LineFollower:
         """Return where turns and a step lead."""
         heading = wrap_angle(pose.heading + turns * self._turn)
         return Pose(
-            pose.x + self._step * math.cos(heading),
-            pose.y + self._step * math.sin(heading),
+            pose.x + STEP * math.cos(heading),
+            pose.y + STEP * math.sin(heading),
             heading,
         )
 
 
-def walk_along(
-    line: ArrayLike, start: Pose, *, step: float = 0.25, turn: float = math.radians(15)
-) -> DiscreteWalk:
+def walk_along(line: ArrayLike, start: Pose, *, turn: float = TURN) -> DiscreteWalk:
     """Walk along a line with steps of one length and turns of one angle.
 
     Args:
         line: Vertices, metres, shape (N, 2).
         start: Where the walk begins; on the line's first vertex.
-        step: Metres of `FORWARD`.
         turn: Radians of `LEFT` and `RIGHT`.
     """
-    follower = LineFollower(line, step, turn)
+    follower = LineFollower(line, turn)
     pose = start
     actions: list[int] = []
     places: list[tuple[float, float]] = []

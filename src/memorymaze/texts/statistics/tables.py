@@ -132,8 +132,8 @@ def _beside_paper(field: str, heading: str, digits: int, *, scale: float = 1) ->
     return Column(field, heading, show=show)
 
 
-def _scaled(field: str, heading: str, digits: int, scale: float = 1) -> Column:
-    return Column(field, heading, show=lambda row: f"{scale * row[field]:.{digits}f}")
+def _scaled(field: str, heading: str, scale: float = 1) -> Column:
+    return Column(field, heading, show=lambda row: f"{scale * row[field]:.0f}")
 
 
 def _vocabularies(study: InstructionStudy) -> Table:
@@ -156,9 +156,7 @@ def _vocabularies(study: InstructionStudy) -> Table:
             Column("texts", "texts"),
             Column("words", "words"),
             Column("distinct", "distinct", show=distinct),
-            _scaled(
-                "distinct_words among equally many words", f"among {equal} words", 0
-            ),
+            _scaled("distinct_words among equally many words", f"among {equal} words"),
         ),
         tuple(sorted(rows, key=lambda row: (row["place"], row["study"]))),
         (
@@ -247,7 +245,7 @@ def _speech(study: InstructionStudy) -> Table:
                 for name in SPEECH
             ),
             *(
-                _scaled(f"{name} share of texts", f"{short[name]} %", 0, 100)
+                _scaled(f"{name} share of texts", f"{short[name]} %", 100)
                 for name in SPEECH
             ),
         ),
