@@ -343,15 +343,15 @@ def changed(
 @pytest.fixture
 def enlarged(
     plan: Callable[[str], Plan], write_plan: Callable[..., Path]
-) -> Callable[[str, float], Path]:
-    """Write a tiny plan with all its positions multiplied, and return the path."""
+) -> Callable[[float], Path]:
+    """Write the plan of `l_shape` with all its positions multiplied, and return the path."""
 
-    def write(name: str, factor: float) -> Path:
-        content = plan(name)
+    def write(factor: float) -> Path:
+        content = plan("l_shape")
         for feature in content["features"]:
             geometry = feature["geometry"]
             geometry["coordinates"] = _times(geometry["coordinates"], factor)
-        return write_plan(content, name)
+        return write_plan(content, "l_shape")
 
     return write
 

@@ -1,11 +1,8 @@
 """Settings as the command line takes them, and those of a language model."""
 
-import json
-import threading
 from argparse import ArgumentParser
-from collections.abc import Callable, Generator
+from collections.abc import Callable
 from dataclasses import dataclass, field
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
 
@@ -16,12 +13,6 @@ from memorymaze.robot.simulation.obstacles import ObstacleSettings, parse_obstac
 from memorymaze.runs.work.run_folder import read_run
 
 Memorymaze = Callable[..., Any]
-
-STOPPING = {
-    "model": "fake-1",
-    "choices": [{"message": {"role": "assistant", "content": "```\nstop()\n```"}}],
-    "usage": {"prompt_tokens": 900, "completion_tokens": 100},
-}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -78,28 +69,9 @@ def test_a_setting_without_meaning_is_wrong_usage(
 
 
 @pytest.fixture
-def server() -> Generator[str]:
+def server(chat_server: Callable[..., Any]) -> str:
     """Address of a server whose model always stops at once."""
-
-    class Stopping(BaseHTTPRequestHandler):
-        def do_POST(self) -> None:
-            self.rfile.read(int(self.headers["content-length"]))
-            body = json.dumps(STOPPING).encode()
-            self.send_response(200)
-            self.send_header("content-type", "application/json")
-            self.send_header("content-length", str(len(body)))
-            self.end_headers()
-            self.wfile.write(body)
-
-        def log_message(self, format: str, *args: object) -> None:
-            pass
-
-    with ThreadingHTTPServer(("127.0.0.1", 0), Stopping) as http:
-        thread = threading.Thread(target=http.serve_forever)
-        thread.start()
-        yield f"http://127.0.0.1:{http.server_port}/v1"
-        http.shutdown()
-        thread.join()
+    return chat_server(lambda _: "```\nstop()\n```", "fake-1", (900, 100))[0]
 
 
 @pytest.mark.proof

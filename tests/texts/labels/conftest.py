@@ -21,14 +21,9 @@ def told() -> Callable[..., Instruction]:
             "site": "loop",
             "route": "R1",
             "study": "onsite",
-            "iteration": 1,
             "participant": name,
             "text": f"Turn right, says {name}.",
             "reference_route": REFERENCE,
-            "failures": (),
-            "source": "human",
-            "language": "en",
-            "split": "test",
         }
         return Instruction(**(fields | changes))
 

@@ -17,15 +17,9 @@ def told() -> Callable[..., Instruction]:
             "id": f"a-{abs(hash(text))}",
             "site": "loop",
             "route": "R1",
-            "study": "online",
-            "iteration": 1,
             "participant": "a",
             "text": text,
             "reference_route": "route_r1_reference",
-            "failures": (),
-            "source": "human",
-            "language": "en",
-            "split": "test",
         }
         return Instruction(**(fields | changes))
 

@@ -90,9 +90,9 @@ def test_the_scale_bar_is_as_long_as_it_says_and_whole(
 
 
 def test_a_vast_building_is_drawn_on_a_sheet_that_can_be_looked_at(
-    enlarged: Callable[[str, float], Path], tmp_path: Path
+    enlarged: Callable[[float], Path], tmp_path: Path
 ):
-    draw_site(load_site(enlarged("l_shape", 30)), tmp_path / "vast.svg")
+    draw_site(load_site(enlarged(30)), tmp_path / "vast.svg")
     root = ElementTree.parse(tmp_path / "vast.svg").getroot()
     inches = float(root.attrib["height"].removesuffix("pt")) / 72
     assert 50 < inches < 65

@@ -163,17 +163,17 @@ def test_a_floor_in_two_pieces_is_refused_with_the_place_of_the_gap(changed: Cha
 
 
 def test_a_plan_in_millimetres_is_told_that_metres_are_wanted(
-    enlarged: Callable[[str, float], Path],
+    enlarged: Callable[[float], Path],
 ):
-    message = _refused(enlarged("l_shape", 1000), "-", "floor-size")
+    message = _refused(enlarged(1000), "-", "floor-size")
     assert "at most 2000 m across, got 13000 m" in message
     assert "millimetres" in message
 
 
 def test_a_hall_whose_distances_would_take_gigabytes_is_refused_with_its_size(
-    enlarged: Callable[[str, float], Path],
+    enlarged: Callable[[float], Path],
 ):
-    message = _refused(enlarged("l_shape", 100), "-", "floor-size")
+    message = _refused(enlarged(100), "-", "floor-size")
     assert f"at most {LARGEST_FLOOR:,.0f} m², got 460,000 m²" in message
 
 
