@@ -2,12 +2,14 @@
 
 import os
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from memorymaze.agents.code_generation.sandbox import ProgramLimits, run_program
 from memorymaze.basics.errors import EpisodeOver, ProgramError
+from memorymaze.basics.failures import LINE_LENGTH
 
 LIMITS = ProgramLimits(memory=32 * 2**20)
 IMPATIENT = ProgramLimits(computing_time=0.25, memory=32 * 2**20)
@@ -198,6 +200,31 @@ def test_endless_refused_calls_end_as_budget_too(robot):
     program = "while True:\n    try:\n        say(1)  # type: ignore\n    except TypeError:\n        pass"
 
     assert ending(program, robot, ProgramLimits(calls=50)) == "budget"
+    assert robot.calls == []
+
+
+HANDED_OVER = {
+    "texts": "say(s)",
+    "names of arguments": "move_forward(1, **{s: 1})  # type: ignore",
+}
+
+
+@pytest.mark.parametrize("call", HANDED_OVER.values(), ids=HANDED_OVER)
+def test_handing_over_without_end_what_is_refused_ends_as_budget(call, robot):
+    program = (
+        "s = 'x' * 4_000_000\nwhile True:\n    try:\n"
+        f"        {call}\n    except (TypeError, ValueError):\n        pass"
+    )
+    limits = replace(IMPATIENT, calls=2_000)
+    told: list[dict[str, object]] = []
+
+    with pytest.raises(EpisodeOver) as over:
+        run_program(program, robot, limits, told.append)
+
+    refused = [each for each in told if each["kind"] == "refused_call"]
+    assert over.value.stopped_by == "budget"
+    assert 0 < len(refused) < limits.calls
+    assert max(len(str(each["message"])) for each in refused) <= LINE_LENGTH
     assert robot.calls == []
 
 

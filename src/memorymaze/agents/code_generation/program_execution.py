@@ -8,8 +8,10 @@ import functools
 import inspect
 import math
 import re
+import time
 from collections import namedtuple
-from collections.abc import Callable
+from collections.abc import Callable, Generator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from numbers import Integral, Real
 from typing import Any, TypeGuard
@@ -36,6 +38,7 @@ from memorymaze.basics.errors import (
     ProgramError,
     SettingsError,
 )
+from memorymaze.basics.failures import LINE_LENGTH
 from memorymaze.robot.api import asking
 from memorymaze.robot.api.asking import AskingRobot, Question, can_ask
 from memorymaze.robot.api.control import Robot
@@ -56,7 +59,8 @@ class ProgramLimits:
     """How much a program may use; the robot's own budgets come on top."""
 
     computing_time: float = 5.0
-    """Seconds of its own computing and of checking it; the robot's time is not in it."""
+    """Seconds of its own computing and of checking it, and as many of this side's for what
+    it hands to the API; the robot's time is not in it."""
     memory: int = 64 * 2**20
     """Bytes; checking a program takes about 10 MiB of them."""
     recursion_depth: int = 200
@@ -235,6 +239,7 @@ class ProgramExecution:
         self._limits = limits
         self._on_event = on_event
         self._calls = 0
+        self._crossing_time = limits.computing_time
         self._printed: list[str] = []
         self._printing_room = limits.printed_characters
 
@@ -288,7 +293,7 @@ class ProgramExecution:
         if isinstance(snapshot, NameLookupSnapshot):
             if _DUNDER.fullmatch(snapshot.variable_name):
                 raise reaching_out(snapshot.variable_name, line)
-            return snapshot.resume()
+            return self._let_on(snapshot.resume)
         name = snapshot.function_name
         if snapshot.is_os_function or name in FORBIDDEN_BUILTINS:
             raise reaching_out(name, line)
@@ -296,9 +301,24 @@ class ProgramExecution:
             return self._call(snapshot, name, line)
         if name in _ENDINGS:
             return None
-        return snapshot.resume({
-            "exception": NameError(f"name {name!r} is not defined")
-        })
+        unknown = NameError(f"name {name!r} is not defined")
+        return self._let_on(lambda: snapshot.resume({"exception": unknown}))
+
+    def _let_on(self, resume: Callable[[], SyncSnapshot]) -> SyncSnapshot:
+        """Let the program on, unless it has handed over too much by now."""
+        if self._crossing_time < 0:
+            raise EpisodeOver("budget")
+        with self._crossing():
+            return resume()
+
+    @contextmanager
+    def _crossing(self) -> Generator[None]:
+        """Count the time of this side alone, which does not depend on what else runs."""
+        began = time.thread_time()
+        try:
+            yield
+        finally:
+            self._crossing_time -= time.thread_time() - began
 
     def _call(
         self, snapshot: FunctionSnapshot, name: str, line: int | None
@@ -308,9 +328,10 @@ class ProgramExecution:
         if self._calls > self._limits.calls:
             raise EpisodeOver("budget")
         try:
-            arguments = read_arguments(
-                name, snapshot.args, snapshot.kwargs, self._limits.text_characters
-            )
+            with self._crossing():
+                arguments = read_arguments(
+                    name, snapshot.args, snapshot.kwargs, self._limits.text_characters
+                )
         except (TypeError, ValueError) as error:
             return self._refuse(snapshot, name, line, error)
         try:
@@ -320,7 +341,8 @@ class ProgramExecution:
             return self._refuse(snapshot, name, line, ValueError(str(error)))
         if name == "stop":
             raise EpisodeOver("agent")
-        return snapshot.resume({"return_value": to_sandbox(result)})
+        given = to_sandbox(result)
+        return self._let_on(lambda: snapshot.resume({"return_value": given}))
 
     def _refuse(
         self,
@@ -329,13 +351,16 @@ class ProgramExecution:
         line: int | None,
         error: TypeError | ValueError,
     ) -> SyncSnapshot:
+        # It quotes what the program made.
+        message = str(error)[:LINE_LENGTH]
         self._on_event({
             "kind": "refused_call",
             "line": line,
             "call": name,
-            "message": str(error),
+            "message": message,
         })
-        return snapshot.resume({"exception": error})
+        refused = type(error)(message)
+        return self._let_on(lambda: snapshot.resume({"exception": refused}))
 
     def _line(self, position: SourceRange) -> int | None:
         """Return the line of a place in the program; None in text that it made."""
