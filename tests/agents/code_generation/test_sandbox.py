@@ -17,6 +17,7 @@ from memorymaze.basics.errors import (
     ProgramError,
     SettingsError,
 )
+from memorymaze.basics.failures import LINE_LENGTH
 
 
 def test_a_program_drives_the_robot(robot):
@@ -220,6 +221,17 @@ def test_messages_are_one_line(robot):
         run_program("x = 3\nassert x == 4, 'first\\nsecond'", robot)
 
     assert str(caught.value) == "line 2: AssertionError: first"
+
+
+@pytest.mark.parametrize(
+    "failing", ["raise ValueError('lost ' + s)", "getattr((), f'__{s}__')"]
+)
+def test_of_a_long_message_the_beginning_is_told(robot, failing):
+    with pytest.raises(ProgramError) as caught:
+        run_program(f"s = 'x' * 400_000\n{failing}", robot)
+
+    assert "xxx" in str(caught.value)
+    assert len(str(caught.value)) < LINE_LENGTH + 100
 
 
 def workers() -> set[int]:

@@ -32,6 +32,7 @@ from memorymaze.basics.errors import (
     InterpreterLostError,
     ProgramError,
 )
+from memorymaze.basics.failures import LINE_LENGTH
 from memorymaze.robot.api.asking import can_ask
 from memorymaze.robot.api.control import Robot
 from memorymaze.robot.api.specification import api_stub
@@ -136,8 +137,9 @@ def _outcome(error: MontyError) -> BaseException | None:
         return EpisodeOver("budget")
     outside = _outside(cause, text)
     if outside is not None:
-        return reaching_out(outside, line)
+        return reaching_out(outside[:LINE_LENGTH], line)
     what = f"{type(cause).__name__}: {text}" if text else type(cause).__name__
+    what = what[:LINE_LENGTH]
     return ProgramError(what if line is None else f"line {line}: {what}", line=line)
 
 
