@@ -20,7 +20,7 @@ from memorymaze.basics.errors import (
 from memorymaze.runs.episodes.plan import RunPlan
 from memorymaze.runs.episodes.results import EpisodeResult
 from memorymaze.runs.episodes.trace import read_trace, trace_path
-from memorymaze.runs.episodes.trace_entries import EndEntry
+from memorymaze.runs.episodes.trace_entries import EndEntry, OpeningEntry
 from memorymaze.runs.work.driver import run_plan
 from memorymaze.runs.work.run_folder import read_run
 
@@ -194,6 +194,29 @@ def test_what_an_agent_does_to_its_process_stays_there(
     assert "I am here" in err
     assert "and here" in err
     assert "Traceback" not in err
+
+
+RENAMED = """
+class Renamed:
+    name = "first"
+
+    def follow(self, instruction, robot, journal, rng):
+        self.name = 5
+"""
+
+
+def test_an_agent_keeps_in_a_run_the_name_it_was_made_with(
+    tmp_path: Path, tiny_plan: Plan
+) -> None:
+    file = tmp_path / "renamed.py"
+    file.write_text(RENAMED, encoding="utf-8")
+    run_plan(tiny_plan(f"{file}:Renamed", limit=2), tmp_path / "run", workers=1)
+    _, results = read_run(tmp_path / "run")
+    assert [one.agent for one in results] == ["first"] * 2
+    assert [one.stopped_by for one in results] == ["agent"] * 2
+    opening, *_ = read_trace(tmp_path / "run", results[1].episode_id)
+    assert isinstance(opening, OpeningEntry)
+    assert opening.agent == "first"
 
 
 def test_results_depend_on_neither_workers_nor_order(

@@ -90,6 +90,8 @@ class ReadyAgent(NamedTuple):
     """An agent that was made, for all episodes of a process."""
 
     agent: Agent
+    name: str
+    """As it was then: an agent's own code may change it."""
     model: AboutInstruction | None
     """Asked by the agent, about the instruction of its episode."""
     captions: VisionCaptions | None
@@ -157,7 +159,7 @@ class ChosenAgent:
         if isolate:
             maker = self.recipe.maker_elsewhere()
             agent = IsolatedAgent(agent, maker, asked, kept_from)
-        return ReadyAgent(agent, asked, captions)
+        return ReadyAgent(agent, agent.name, asked, captions)
 
     def files(self) -> tuple[FileStamp, ...]:
         """Return the fingerprints of the files of a user's own agent."""

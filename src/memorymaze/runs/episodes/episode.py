@@ -81,6 +81,7 @@ def run_episode(
     watcher: Watcher | None = None,
     *,
     captions: VisionCaptions | None = None,
+    name: str | None = None,
 ) -> EpisodeRun:
     """Let an agent follow an instruction, and score its walk.
 
@@ -96,21 +97,27 @@ def run_episode(
         settings: Of the run; seed, budgets and success distance count here.
         watcher: Looks on.
         captions: Describe viewpoints to an agent on a graph; None for templates.
+        name: Of the agent, in results; None for the one it has as the episode begins.
 
     Raises:
         UndefinedMetricError: The episode's reference path leaves the floor.
         KeyboardInterrupt: Passed on.
         SpendingLimitReached: Passed on; an episode that is broken off has no result.
     """
-    with ExitStack() as held:
-        run = _attempt(agent, episode, arena, settings, watcher, captions, held)
-    if run.interpreter_lost:
+    called = agent.name if name is None else name
+
+    def attempt() -> EpisodeRun:
         with ExitStack() as held:
-            run = _attempt(agent, episode, arena, settings, watcher, captions, held)
-    return run
+            return _attempt(
+                called, agent, episode, arena, settings, watcher, captions, held
+            )
+
+    run = attempt()
+    return attempt() if run.interpreter_lost else run
 
 
 def _attempt(
+    name: str,
     agent: Agent,
     episode: Episode,
     arena: Arena,
@@ -123,9 +130,7 @@ def _attempt(
     seeds = seeds_of(settings.seed, episode.id)
     way = arena.site.find_route(episode.instruction.reference_route)
     destination = None if settings.ask is None else way.goal
-    trace: list[TraceEntry] = [
-        opening_entry(agent.name, episode, settings, destination)
-    ]
+    trace: list[TraceEntry] = [opening_entry(name, episode, settings, destination)]
 
     def tell(entry: TraceEntry) -> None:
         trace.append(entry)
@@ -195,7 +200,7 @@ def _attempt(
         participant=told.participant,
         source=told.source,
         split=told.split,
-        agent=agent.name,
+        agent=name,
         stopped_by=ended,
         **measure_walk(finished),
         collisions=len(robot.collisions),

@@ -94,9 +94,14 @@ class EpisodeWorker:
             try:
                 agent = ready.in_episode(episode)
                 if task.lost is not None:
-                    agent = _LostAgent(agent.name, task.lost)
+                    agent = _LostAgent(ready.name, task.lost)
                 done = run_episode(
-                    agent, episode, arena, self.settings, captions=ready.captions
+                    agent,
+                    episode,
+                    arena,
+                    self.settings,
+                    captions=ready.captions,
+                    name=ready.name,
                 )
             except SpendingLimitReached as limit:
                 return LimitReached(str(limit))
