@@ -251,6 +251,17 @@ class TracebackNote(ShippedNote):
     lines: Sequence[str]
 
 
+@dataclass(frozen=True, slots=True)
+class LeftOutNote(ShippedNote):
+    """Notes that were too long for the trace, told of in their place."""
+
+    about = "left_out"
+    what: str
+    """Such as `note seen`, or `further notes`."""
+    entries: StrictInt
+    bytes: StrictInt
+
+
 # Of agents that go step by step by pictures.
 
 
@@ -412,6 +423,7 @@ SHIPPED_NOTES: tuple[type[ShippedNote], ...] = (
     RefusedCallNote,
     PrintNote,
     TracebackNote,
+    LeftOutNote,
     RandomMotionNote,
     OutOfStepsNote,
     StuckNote,

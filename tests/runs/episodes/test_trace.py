@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from memorymaze.agents.notes import LeftOutNote
 from memorymaze.basics.errors import RunFolderError
 from memorymaze.basics.geometry.pose import Pose
 from memorymaze.robot.api.control import Detection
@@ -16,9 +17,10 @@ from memorymaze.runs.episodes.trace import (
     keep_trace,
     read_trace,
     trace_content,
+    trace_lines,
     trace_path,
 )
-from memorymaze.runs.episodes.trace_entries import EndEntry, NoteEntry
+from memorymaze.runs.episodes.trace_entries import CallEntry, EndEntry, NoteEntry
 
 END = EndEntry(2.0, "agent", None)
 
@@ -137,14 +139,55 @@ def test_a_damaged_trace_is_named_with_its_episode(
 def test_a_trace_that_unpacks_to_far_too_much_is_named_and_not_read(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    line = trace_lines([noted(x=" " * (2**19 - 60))])
     monkeypatch.setattr(trace, "LARGEST_TRACE", 2**20)
-    keep_trace(folder, "a", trace_content([noted(x=" " * (2**20 - 60))]))
-    assert len(list(read_trace(folder, "a"))) == 1
-    keep_trace(folder, "a", trace_content([noted(x=1), noted(x=" " * 2**20)]))
+    keep_trace(folder, "a", packed(2 * line))
+    assert len(list(read_trace(folder, "a"))) == 2
+    keep_trace(folder, "a", packed(3 * line))
     with pytest.raises(
-        RunFolderError, match=r"damaged \(unpacked it has more than 1 M"
+        RunFolderError, match=r"'a' is too long: expected at most 1 MiB unpacked"
     ):
         next(read_trace(folder, "a"))
+
+
+def called(**arguments: Any) -> CallEntry:
+    return CallEntry(2.0, (0.0, 0.0, 0.0), "say", arguments, None)
+
+
+def test_of_a_note_or_call_that_is_too_long_stands_its_size(folder: Path) -> None:
+    picture = [[0.5, 1.5, 2.5]] * 100_000
+    long = [noted(picture=picture), called(text="é" * 2**19), noted(x=1)]
+    keep_trace(folder, "a", trace_content([*long, END]))
+    left_out, call, short, end = read_trace(folder, "a")
+    assert isinstance(left_out, NoteEntry)
+    assert isinstance(left_out.note, LeftOutNote)
+    assert (left_out.note.what, left_out.note.entries) == ("note thought", 1)
+    assert left_out.note.bytes > 1_200_000
+    assert isinstance(call, CallEntry)
+    assert (call.call, call.pose, call.arguments) == ("say", (0.0, 0.0, 0.0), {})
+    assert call.result == {
+        "left_out": f"{len(trace_lines([called(text='')])) + 2**20} bytes"
+    }
+    assert (short, end) == (long[2], END)
+
+
+def test_what_is_written_of_very_many_notes_and_calls_can_be_read_again(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(trace, "LARGEST_TRACE", 2**15)
+    monkeypatch.setattr(trace, "LARGEST_ENTRY", 2**10)
+    made = [noted(x=" " * 500), called(text="." * 400)] * 40
+    keep_trace(folder, "a", trace_content([*made, END]))
+    *read, end = read_trace(folder, "a")
+    calls = [each for each in read if isinstance(each, CallEntry)]
+    notes = [each for each in read if isinstance(each, NoteEntry)]
+    whole = len(notes) - 1
+    assert end == END
+    assert 20 < whole < 40
+    assert read[: 2 * whole - 1] == made[: 2 * whole - 1]
+    assert notes[-1].details["entries"] == 40 - whole
+    assert len(calls) == 40
+    assert calls[-1].arguments == {}
 
 
 @pytest.mark.parametrize("place", range(10, 40))

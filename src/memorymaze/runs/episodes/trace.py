@@ -6,7 +6,7 @@ import json
 import math
 import zlib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import fields, is_dataclass
+from dataclasses import fields, is_dataclass, replace
 from pathlib import Path
 from typing import Any
 from urllib.parse import quote
@@ -14,16 +14,30 @@ from urllib.parse import quote
 import numpy as np
 from pydantic import ValidationError
 
+from memorymaze.agents.notes import LeftOutNote
 from memorymaze.basics.durable_files import write_whole
 from memorymaze.basics.errors import RunFolderError
+from memorymaze.basics.failures import LINE_LENGTH
 from memorymaze.runs.episodes.shards import parts_in
-from memorymaze.runs.episodes.trace_entries import TraceEntry, line_of, read_entry
+from memorymaze.runs.episodes.trace_entries import (
+    CallEntry,
+    NoteEntry,
+    TraceEntry,
+    line_of,
+    note_entry,
+    read_entry,
+)
 
 NAME_LIMIT = 150
 """Longest file stem made of an episode id; longer ones are cut and numbered."""
 
 LARGEST_TRACE = 2**26
 """Bytes, unpacked; a hundred times what an episode of usual length leaves."""
+
+LARGEST_ENTRY = 2**20
+"""Bytes of a note, or of a call and its result."""
+
+_AGAIN = "delete its line in episodes.jsonl, and --resume runs the episode again"
 
 DEEPEST = 50
 """Lists and objects inside one another that are written; circles end here."""
@@ -57,9 +71,28 @@ def keep_trace(folder: Path, episode_id: str, content: bytes) -> None:
 
 
 def trace_lines(entries: Iterable[TraceEntry]) -> bytes:
-    """Return trace entries as lines of JSON; what JSON does not know as its `repr`."""
-    text = "".join(f"{_line(line_of(entry))}\n" for entry in entries)
-    return text.encode("utf-8", "backslashreplace")
+    """Return trace entries as lines of JSON; what JSON does not know as its `repr`.
+
+    What is written can be read again: what is too long of notes and calls, and what is too
+    much of them, is left out, and told of in its place. All calls are there.
+    """
+    lines = [(entry, *_whole_and_least(entry)) for entry in entries]
+    # One entry tells of the notes that are left out.
+    room = LARGEST_TRACE - LARGEST_ENTRY - sum(len(least) for _, _, least in lines)
+    kept: list[bytes] = []
+    for _, whole, least in lines:
+        room -= len(whole) - len(least)
+        kept.append(whole if room >= 0 else least)
+    left_out = [
+        (place, entry.time)
+        for place, (entry, _, _) in enumerate(lines)
+        if isinstance(entry, NoteEntry) and not kept[place]
+    ]
+    if left_out:
+        size = sum(len(lines[place][1]) for place, _ in left_out)
+        first, since = left_out[0]
+        kept[first] = _left_out(since, "further notes", len(left_out), size)
+    return b"".join(kept)
 
 
 def plain_entries(entries: Iterable[TraceEntry]) -> tuple[dict[str, Any], ...]:
@@ -74,7 +107,10 @@ def read_trace(folder: Path, episode_id: str) -> Iterator[TraceEntry]:
         with gzip.open(path, "rb") as file:
             content = file.read(LARGEST_TRACE + 1)
         if len(content) > LARGEST_TRACE:
-            raise ValueError(f"unpacked it has more than {LARGEST_TRACE // 2**20} MiB")
+            raise RunFolderError(
+                f"{path}: the trace of episode {episode_id!r} is too long: expected at most "
+                f"{LARGEST_TRACE // 2**20} MiB unpacked, got more; {_AGAIN}"
+            )
         for number, line in enumerate(content.splitlines(), start=1):
             yield _entry_in(line, f"{path}:{number}")
     except FileNotFoundError:
@@ -83,8 +119,7 @@ def read_trace(folder: Path, episode_id: str) -> Iterator[TraceEntry]:
         ) from None
     except (OSError, EOFError, ValueError, RecursionError, zlib.error) as error:
         raise RunFolderError(
-            f"{path}: the trace of episode {episode_id!r} is damaged ({error}); delete "
-            "its line in episodes.jsonl, and --resume runs the episode again"
+            f"{path}: the trace of episode {episode_id!r} is damaged ({error}); {_AGAIN}"
         ) from None
 
 
@@ -98,6 +133,33 @@ def _entry_in(line: bytes, place: str) -> TraceEntry:
             f"{place}: expected an entry as memorymaze writes it, got another "
             f"({where}: {wrong['msg']})"
         ) from None
+
+
+def _whole_and_least(entry: TraceEntry) -> tuple[bytes, bytes]:
+    """Return the line of an entry, and what of it is written where there is no room."""
+    line = _encoded(entry)
+    size = len(line)
+    match entry:
+        case NoteEntry():
+            if size > LARGEST_ENTRY:
+                line = _left_out(
+                    entry.time, f"note {entry.about}"[:LINE_LENGTH], 1, size
+                )
+            return line, b""
+        case CallEntry():
+            told = {"left_out": f"{size} bytes"}
+            least = _encoded(replace(entry, arguments={}, result=told))
+            return line if size <= LARGEST_ENTRY else least, min(line, least, key=len)
+        case _:
+            return line, line
+
+
+def _left_out(time: float, what: str, entries: int, size: int) -> bytes:
+    return _encoded(note_entry(time, LeftOutNote(what, entries, size)))
+
+
+def _encoded(entry: TraceEntry) -> bytes:
+    return f"{_line(line_of(entry))}\n".encode("utf-8", "backslashreplace")
 
 
 def _line(entry: Mapping[str, object]) -> str:
