@@ -1,4 +1,5 @@
 import json
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -6,6 +7,7 @@ import pytest
 import memorymaze as mm
 from memorymaze.basics.errors import SettingsError
 from memorymaze.language.models.spending import TokenPrice
+from memorymaze.world.construction import BuildingKind
 
 AGENT = """
 from pathlib import Path
@@ -68,6 +70,52 @@ def test_an_isolated_agent_gets_no_answers_and_its_faults_are_told(
     )
     assert walk.stopped_by == "crash"
     assert said in str(walk.result.error)
+
+
+@pytest.mark.parametrize(
+    ("place", "shard"),
+    [
+        pytest.param("run/instructions.jsonl.gz", None, id="instructions"),
+        pytest.param("run/plans/corridor.geojson.gz", None, id="plans"),
+        pytest.param("run/episodes.jsonl", None, id="results"),
+        pytest.param("run/part-2-of-6/plans/loop.geojson.gz", "1/6", id="another part"),
+        pytest.param("texts.jsonl", None, id="corpus"),
+    ],
+)
+def test_an_isolated_agent_reads_neither_the_run_nor_its_corpus(
+    tmp_path: Path,
+    tiny_instructions: Path,
+    tiny_sites_folder: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    place: str,
+    shard: str | None,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("texts.jsonl").write_bytes(tiny_instructions.read_bytes())
+    line = f"open({str(tmp_path / place)!r})"
+    Path("own.py").write_text(AGENT.format(line=line), encoding="utf-8")
+    run = mm.evaluate(
+        "own.py:Mine",
+        mm.load_corpus("texts.jsonl", sites=tiny_sites_folder),
+        out="run",
+        isolate=True,
+        workers=1,
+        limit=2 if shard is None else 6,
+        shard=shard,
+    )
+    assert all("cannot read plans, corpora" in str(one.error) for one in run.results)
+
+
+def test_in_a_made_building_an_isolated_agent_reads_files_of_its_own(
+    tmp_path: Path,
+    made_building: Callable[[BuildingKind], mm.Site],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    site = made_building("office")
+    way = site.routes[0].id
+    walk = _walk(tmp_path, site, "open('own.py').close()", route=way, isolate=True)
+    assert walk.result.error is None
 
 
 def test_named_arguments_of_an_isolated_agent_arrive_by_their_names(

@@ -107,13 +107,12 @@ def _run(options: argparse.Namespace) -> None:
         raise SettingsError(
             "options of an agent: expected with --agent, got them alone"
         )
-    plans = [site.source for site in sites.values()]
     # What cannot be made is refused before a visitor waits for it.
     checked_eyes(settings)
     if settings.looks is not None:
         check_looks(settings.looks)
     for agent in (GUIDE, *beside):
-        choose_agent(agent).make(isolate=settings.isolate, kept_from=plans)
+        choose_agent(agent).make(isolate=settings.isolate)
     hosts = THIS_MACHINE if options.host in THIS_MACHINE else None
     with Visits(settings, beside, most=options.robots) as visits:
         app = make_app(TryPages(visits, sites).routes(), TRYING_ROOM, hosts=hosts)

@@ -79,7 +79,8 @@ def navigate(
     checked_eyes(settings)
     chosen = choose_agent(agent, language_model)
     check_people(settings, chosen)
-    ready = chosen.make(isolate=settings.isolate, kept_from=[site.source])
+    plans = [site.source] if site.source else []
+    ready = chosen.make(isolate=settings.isolate, kept_from=plans)
     definition = define_run(chosen.settings, settings, chosen.needs, [site])
     episode = episode_on(site, route, text)
     if arena is None:

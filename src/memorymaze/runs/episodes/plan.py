@@ -3,6 +3,7 @@
 import hashlib
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, fields, replace
+from pathlib import Path
 
 from memorymaze.agents.agent import Need, asking_of
 from memorymaze.basics.errors import AnswerFileError
@@ -51,6 +52,9 @@ class RunPlan:
     agent: ChosenAgent
     ready: ReadyAgent
     """The agent as it was made when the run was planned."""
+    kept_from: tuple[Path, ...]
+    """What an isolated agent may not read: the files of the corpus and of its buildings,
+    and the run's folder once there is one."""
 
 
 def plan_run(
@@ -74,7 +78,10 @@ def plan_run(
     if not corpus.start_heading_is_told:
         chosen_agent = chosen_agent.with_defaults(start_heading="unknown")
     check_people(settings, chosen_agent)
-    ready = chosen_agent.make(isolate=settings.isolate)
+    plans = [Path(site.source) for site in corpus.sites.values() if site.source]
+    # Absolute, because workers may be in another folder.
+    kept_from = tuple(path.absolute() for path in (*corpus.files, *plans))
+    ready = chosen_agent.make(isolate=settings.isolate, kept_from=kept_from)
     followed, told_once = corpus.of_split(settings.split), 0
     if settings.second_telling:
         paired = with_second_tellings(corpus).of_split(settings.split)
@@ -103,7 +110,7 @@ def plan_run(
         looks_files=() if looks is None else (stamp_file(looks),),
         option_values=chosen_agent.option_values(ready.agent),
     )
-    return RunPlan(definition, part, sites, chosen_agent, ready)
+    return RunPlan(definition, part, sites, chosen_agent, ready, kept_from)
 
 
 def stamp_site(site: Site) -> FileStamp:

@@ -194,7 +194,7 @@ class RunSettings:
     """how read_signs reads: truth, or ocr (from the camera's picture)"""
     isolate: bool = False
     """run an agent of your own in a process of its own, which has no buildings and cannot
-    read plans"""
+    read plans, corpora and the run's folder"""
     looks: Looks | None = None
     """how things look to cameras: own (where none is given), mesh (PLAN.glb beside the
     plan), or a GLB file with models of yours over our own (docs/seeing.md)"""

@@ -36,6 +36,11 @@ def part_folder(folder: Path, shard: Shard | None) -> Path:
     return folder if shard is None else folder / f"part-{shard.number}-of-{shard.of}"
 
 
+def whole_folder(folder: Path, shard: Shard | None) -> Path:
+    """Return the folder of the run that a folder is, or is a part of."""
+    return folder if shard is None else folder.parent
+
+
 def parts_in(folder: Path) -> list[Path]:
     """Return the folders of the parts of a run; none where it was run in one piece."""
     return sorted(each for each in folder.glob("part-*-of-*") if each.is_dir())

@@ -10,6 +10,7 @@ from memorymaze.basics.errors import MemoryMazeError, SpendingLimitReached
 from memorymaze.runs.episodes.plan import RunPlan
 from memorymaze.runs.episodes.provenance import code_stamp
 from memorymaze.runs.episodes.results import EpisodeResult
+from memorymaze.runs.episodes.shards import whole_folder
 from memorymaze.runs.episodes.summary import summarise
 from memorymaze.runs.work.episode_worker import EpisodeTask, LimitReached, Lost
 from memorymaze.runs.work.local_workers import LocalWorkforce
@@ -37,6 +38,8 @@ def run_plan(
     takes more real seconds than the run's `wall_limit` is given up as `crash`.
     `SpendingLimitReached` and `KeyboardInterrupt` are passed on when all workers have ended.
     """
+    whole = whole_folder(Path(folder), plan.settings.shard)
+    plan = replace(plan, kept_from=(*plan.kept_from, whole.absolute()))
     workforce = workers if isinstance(workers, Workforce) else LocalWorkforce(workers)
     workforce.check(plan.settings)
     path = Path(folder)

@@ -3,6 +3,7 @@
 import pickle
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 
 import cloudpickle
 import numpy as np
@@ -70,20 +71,21 @@ class EpisodeWorker:
     sites: dict[str, Site]
     agent: bytes | None = None
     """The agent itself or its class, pickled, where it was handed over."""
+    kept_from: tuple[Path, ...] = ()
+    """Files and folders that an isolated agent may not read."""
 
     @classmethod
     def of(cls, plan: RunPlan, settings: RunDefinition) -> "EpisodeWorker":
         """Return the worker of a plan, on settings that say more of this machine."""
         handed = plan.agent.handed
         packed = None if handed is None else cloudpickle.dumps(handed)
-        return cls(settings, plan.sites, packed)
+        return cls(settings, plan.sites, packed, plan.kept_from)
 
     def __call__(self) -> Callable[[EpisodeTask], EpisodeOutcome]:
         """Make the agent; return the function."""
         handed = None if self.agent is None else pickle.loads(self.agent)
         ready = chosen_again(self.settings.agent, handed).make(
-            isolate=self.settings.isolate,
-            kept_from=[site.source for site in self.sites.values()],
+            isolate=self.settings.isolate, kept_from=self.kept_from
         )
         # Another machine than the plan's may lack what they need.
         arenas = arenas_of(self.settings, self.sites)
