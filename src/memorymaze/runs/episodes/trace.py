@@ -76,23 +76,11 @@ def trace_lines(entries: Iterable[TraceEntry]) -> bytes:
     What is written can be read again: what is too long of notes and calls, and what is too
     much of them, is left out, and told of in its place. All calls are there.
     """
-    lines = [(entry, *_whole_and_least(entry)) for entry in entries]
-    # One entry tells of the notes that are left out.
-    room = LARGEST_TRACE - LARGEST_ENTRY - sum(len(least) for _, _, least in lines)
-    kept: list[bytes] = []
-    for _, whole, least in lines:
-        room -= len(whole) - len(least)
-        kept.append(whole if room >= 0 else least)
-    left_out = [
-        (place, entry.time)
-        for place, (entry, _, _) in enumerate(lines)
-        if isinstance(entry, NoteEntry) and not kept[place]
-    ]
-    if left_out:
-        size = sum(len(lines[place][1]) for place, _ in left_out)
-        first, since = left_out[0]
-        kept[first] = _left_out(since, "further notes", len(left_out), size)
-    return b"".join(kept)
+    listed = list(entries)
+    lines = [_bounded(entry) for entry in listed]
+    if sum(map(len, lines)) > LARGEST_TRACE:
+        lines = _least(listed, lines)
+    return b"".join(lines)
 
 
 def plain_entries(entries: Iterable[TraceEntry]) -> tuple[dict[str, Any], ...]:
@@ -135,23 +123,49 @@ def _entry_in(line: bytes, place: str) -> TraceEntry:
         ) from None
 
 
-def _whole_and_least(entry: TraceEntry) -> tuple[bytes, bytes]:
-    """Return the line of an entry, and what of it is written where there is no room."""
+def _bounded(entry: TraceEntry) -> bytes:
+    """Return the line of an entry; of a long note or call what it was."""
     line = _encoded(entry)
-    size = len(line)
-    match entry:
-        case NoteEntry():
-            if size > LARGEST_ENTRY:
-                line = _left_out(
-                    entry.time, f"note {entry.about}"[:LINE_LENGTH], 1, size
-                )
-            return line, b""
-        case CallEntry():
-            told = {"left_out": f"{size} bytes"}
-            least = _encoded(replace(entry, arguments={}, result=told))
-            return line if size <= LARGEST_ENTRY else least, min(line, least, key=len)
-        case _:
-            return line, line
+    if len(line) > LARGEST_ENTRY:
+        if isinstance(entry, NoteEntry):
+            what = f"note {entry.about}"[:LINE_LENGTH]
+            return _left_out(entry.time, what, 1, len(line))
+        if isinstance(entry, CallEntry):
+            return _shortened(entry, len(line))
+    return line
+
+
+def _least(entries: Sequence[TraceEntry], lines: Sequence[bytes]) -> list[bytes]:
+    """Return the lines for which there is room, with one entry for all notes left out."""
+    least = [_least_of(*each) for each in zip(entries, lines, strict=True)]
+    room = LARGEST_TRACE - LARGEST_ENTRY - sum(map(len, least))
+    kept: list[bytes] = []
+    for line, short in zip(lines, least, strict=True):
+        room -= len(line) - len(short)
+        kept.append(line if room >= 0 else short)
+    out = [
+        (place, entry.time)
+        for place, entry in enumerate(entries)
+        if isinstance(entry, NoteEntry) and not kept[place]
+    ]
+    if out:
+        size = sum(len(lines[place]) for place, _ in out)
+        first, since = out[0]
+        kept[first] = _left_out(since, "further notes", len(out), size)
+    return kept
+
+
+def _least_of(entry: TraceEntry, line: bytes) -> bytes:
+    if isinstance(entry, NoteEntry):
+        return b""
+    if isinstance(entry, CallEntry):
+        return min(line, _shortened(entry, len(line)), key=len)
+    return line
+
+
+def _shortened(entry: CallEntry, size: int) -> bytes:
+    told = {"left_out": f"{size} bytes"}
+    return _encoded(replace(entry, arguments={}, result=told))
 
 
 def _left_out(time: float, what: str, entries: int, size: int) -> bytes:
