@@ -117,6 +117,23 @@ def test_names_tell_doors_and_things(
     )
 
 
+def test_things_and_doors_whose_names_are_alike_are_all_there(
+    written: Callable[..., Path], loaded: Callable[..., Site]
+) -> None:
+    meshes = corridor_mesh(**{
+        "Bench 1": block(2, 0.1, 3, 0.5, 0.5),
+        "Bench-1": block(5, 0.1, 6, 0.5, 0.5),
+        "bench_1": block(8, 0.1, 9, 0.5, 0.5),
+        "Door Büro": block(5, 2.35, 5.9, 2.5, 2.0),
+        "Door Bäro": block(9, 2.35, 9.9, 2.5, 2.0),
+    })
+
+    site = loaded(import_mesh(written(meshes)))
+
+    assert {each.id for each in site.landmarks} == {"bench_1", "bench_1_2", "bench_1_3"}
+    assert {each.id for each in site.doors} == {"door_b_ro", "door_b_ro_2"}
+
+
 def test_a_room_behind_a_door_is_left_out_and_told(
     written: Callable[..., Path], loaded: Callable[..., Site]
 ) -> None:

@@ -3,7 +3,8 @@
 import math
 import re
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
+from itertools import count
 
 import numpy as np
 from shapely import LineString, MultiPoint, Point, Polygon
@@ -141,33 +142,37 @@ def parts_on(
     ):
         before = len(found)
         for piece in pieces.get(kind, ()):
+            identity = _identity(piece.name, found)
             made = (
-                _door(piece, floor) if kind == "door" else _thing(piece, floor, height)
+                _door(piece, floor, identity)
+                if kind == "door"
+                else _thing(piece, floor, height, identity)
             )
             if made is None:
                 notes.miss(f"{noun}s {why}", piece.name)
                 continue
-            found[made.id] = made
+            found[identity] = made
         if len(found) > before:
             notes.took.append(f"{counted(len(found) - before, noun)} by name")
     return list(found.values())
 
 
-def _door(piece: MeshPiece, floor: Polygon) -> Door | None:
+def _door(piece: MeshPiece, floor: Polygon, identity: str) -> Door | None:
     line = _onto_wall(door_line(piece), floor)
     if line is None:
         return None
-    identity = _identity(piece.name)
     return Door(identity, line, None, "wood", "brown", None, "closed")
 
 
-def _thing(piece: MeshPiece, floor: Polygon, height: float) -> Landmark | None:
+def _thing(
+    piece: MeshPiece, floor: Polygon, height: float, identity: str
+) -> Landmark | None:
     low, high = piece.vertices[:, 2].min(), piece.vertices[:, 2].max()
     middle, length, depth, heading = _box(piece)
     if not low - height <= STANDS < high - height or not _stands(piece, floor):
         return None
     return Landmark(
-        _identity(piece.name),
+        identity,
         Point(middle),
         category=" ".join(word for word in _words(piece.name) if word not in WORDLESS),
         color=None,
@@ -198,5 +203,9 @@ def _onto_wall(line: LineString, floor: Polygon) -> LineString | None:
     return drawn if drawn.length > line.length / 2 and band.covers(drawn) else None
 
 
-def _identity(name: str) -> str:
-    return re.sub("[^a-z0-9]+", "_", name.lower()).strip("_") or "unnamed"
+def _identity(name: str, taken: Container[str]) -> str:
+    """Return a name as an id, with a number where another has that."""
+    stem = re.sub("[^a-z0-9]+", "_", name.lower()).strip("_") or "unnamed"
+    if stem not in taken:
+        return stem
+    return next(f"{stem}_{n}" for n in count(2) if f"{stem}_{n}" not in taken)
