@@ -12,7 +12,8 @@ from memorymaze.front.cli.main import run_command_line
 from memorymaze.testing import check_site
 from memorymaze.world.exporting import export_site
 from memorymaze.world.importing.mesh import import_mesh
-from memorymaze.world.sites import Site
+from memorymaze.world.sites import Site, load_site
+from memorymaze.world.sites.loading import new_plan
 
 FLOOR = box(0, 0, 20, 2.4) | box(17.6, 0, 20, 14)
 HIGH = 2.7
@@ -205,6 +206,24 @@ def test_a_door_of_several_materials_is_one_door(
     assert {each.id for each in imported.doors} == {each.id for each in site.doors}
     floor = site.walkable_floor
     assert imported.walkable_floor.symmetric_difference(floor).area < 0.005 * floor.area
+
+
+@pytest.mark.parametrize("corner", ["tp_corner", "tp_at_the_door"])
+def test_the_floor_of_an_exported_building_is_no_thing_and_no_door(
+    tmp_path: Path, loaded: Callable[..., Site], corner: str
+) -> None:
+    plan = tmp_path / "annex.geojson"
+    plan.write_bytes(new_plan("annex").replace(b"tp_corner", corner.encode()))
+    site = load_site(plan)
+    export_site(site, "gltf", tmp_path / "exported.glb")
+
+    imported = import_mesh(tmp_path / "exported.glb")
+
+    floor = site.walkable_floor
+    back = loaded(imported).walkable_floor
+    assert back.symmetric_difference(floor).area < 0.005 * floor.area
+    assert len(imported.site.doors) == len(site.doors)
+    assert len(imported.missing) == 1
 
 
 def raw(tmp_path: Path, name: str, content: bytes) -> Path:

@@ -12,6 +12,7 @@ from shapely import LineString, MultiPoint, Point, Polygon
 from memorymaze.basics.geometry.pose import moved
 from memorymaze.basics.wording import counted
 from memorymaze.world.importing.imported import ImportNotes
+from memorymaze.world.importing.mesh_floor import STEP
 from memorymaze.world.importing.obstacles import box_around
 from memorymaze.world.looks.building_mesh import MeshPiece
 from memorymaze.world.sites.floor_rules import DOOR_OFF_WALL, THING_OFF_FLOOR
@@ -71,6 +72,8 @@ WORDLESS = frozenset([
     "static",
 ])
 """Words in names that programs give."""
+ENDINGS = ("/wall", "/ceiling", "/beyond", "/shade")
+"""How names end of what exports make around the floor of a place."""
 THING_ACROSS = 3.0
 """Metres; what is longer is no thing, whatever it is called."""
 STANDS = 0.3
@@ -102,6 +105,8 @@ def _joined(parts: Sequence[MeshPiece]) -> MeshPiece:
 
 
 def _kind_of(piece: MeshPiece) -> str:
+    if np.ptp(piece.vertices[:, 2]) < STEP or piece.name.endswith(ENDINGS):
+        return "building"
     words = set(_words(piece.name))
     if {"door", "doors"} & words:
         return "door"
