@@ -101,6 +101,17 @@ def test_what_is_odd_is_told_and_the_rest_is_taken(
     assert told in (*imported.guessed, *imported.missing)
 
 
+@pytest.mark.parametrize(
+    "name", ["地図\u3000室", "地図\u00a0室", "地図\n室", "地図 \u200e室"]
+)
+def test_names_with_spaces_of_any_kind_are_kept(quay_house, tmp_path, kinds, name):
+    path = tmp_path / "MapData.geojson"
+    text = quay_house.read_text("utf-8").replace('"Map Room"', json.dumps(name))
+    path.write_text(text, encoding="utf-8")
+    labels = {each["label"] for each in kinds(import_cabot(path, "2"), "door")}
+    assert "地図 室" in labels
+
+
 def test_of_several_floors_one_is_chosen(quay_house):
     with pytest.raises(SettingsError, match="choose one: --floor 1F, 2F"):
         import_cabot(quay_house)

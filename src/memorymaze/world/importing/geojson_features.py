@@ -11,6 +11,7 @@ from shapely import get_coordinates
 from shapely.geometry import shape
 from shapely.geometry.base import BaseGeometry
 
+from memorymaze.basics.wording import single_spaced
 from memorymaze.world.importing.imported import FAR, ImportNotes, LocalFrame, listed_in
 
 SHAPES = ("Point", "LineString", "Polygon", "MultiPolygon")
@@ -27,14 +28,16 @@ class SourceFeature:
     """In degrees, longitude first; None where it has none."""
 
     def text(self, *names: str) -> str | None:
-        """Return the first of these properties that has text, for all languages."""
+        """Return the first of these properties that has text, in one line."""
         for name in names:
             value = self.properties.get(name)
             if isinstance(value, dict):
                 labels = cast(dict[str, object], value)
                 value = labels.get("en") or next(iter(labels.values()), None)
-            if isinstance(value, str) and value.strip() and value.isprintable():
-                return value.strip()
+            if isinstance(value, str):
+                shown = "".join(filter(str.isprintable, single_spaced(value)))
+                if shown.strip():
+                    return shown.strip()
         return None
 
     def number(self, name: str) -> float | None:
