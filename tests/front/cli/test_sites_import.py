@@ -69,6 +69,17 @@ def test_import_leaves_a_plan_that_is_there(command):
     assert json.loads(Path("mine.geojson").read_text("utf-8")) == {}
 
 
+def test_a_route_of_an_import_may_begin_south_west_of_the_origin(command):
+    code = command(
+        DATA / "quay_house_MapData.geojson", "--from", "cabot", "--floor", "2",
+        "--route", "-17.0,-7.5", "Rope Workshop", "--out", "quay_house.geojson",
+    )  # fmt: skip
+    assert code == 0
+    [route] = load_site("quay_house.geojson").routes
+    x, y = route.line.coords[0]
+    assert (x, y) == pytest.approx((-17.0, -7.5), abs=0.5)
+
+
 def test_import_says_which_places_a_route_can_join(command):
     with pytest.raises(SettingsError, match=r"route to 'Rope Workshp'.*did you mean"):
         command(

@@ -1,6 +1,7 @@
 """What verbs share: their parser, the place where they add it, and some options."""
 
 import contextlib
+import re
 import sys
 from argparse import ArgumentParser, Namespace
 from collections.abc import Callable, Generator, Sequence
@@ -26,6 +27,8 @@ class VerbParser(ArgumentParser):
     ) -> None:
         """Take what adds the options."""
         super().__init__(*arguments, **named)
+        # A place such as -8.0,-3.0 is no option, as -8.0 is none.
+        self._negative_number_matcher = re.compile(r"-[\d.]+(,\s*-?[\d.]+)?$")
         self._add_options = options
 
     def parse_known_args(  # pyright: ignore[reportIncompatibleMethodOverride]
