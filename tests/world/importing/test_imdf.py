@@ -7,6 +7,18 @@ from memorymaze.basics.errors import ImportFileError, SettingsError
 from memorymaze.world.importing.imdf import import_imdf
 
 
+def change(archive, kind, edit):
+    """Write an archive again, with the document of a kind edited."""
+    with zipfile.ZipFile(archive) as old:
+        files = {name: old.read(name) for name in old.namelist()}
+    name = f"Mill Court/{kind}.geojson"
+    document = json.loads(files[name])
+    edit(document)
+    with zipfile.ZipFile(archive, "w") as new:
+        for file, content in (files | {name: json.dumps(document)}).items():
+            new.writestr(file, content)
+
+
 def test_an_oracle_walks_from_the_lobby_to_a_lab(mill_court, walked):
     site = walked(import_imdf(mill_court, "1"), "Reception", "Dye lab")
     assert site.title == "Mill Court"
@@ -37,6 +49,23 @@ def test_openings_are_doors_of_their_rooms(mill_court, kinds):
     assert doors["South stairs"]["style"] == "fire"
     assert doors["Spindle Cafe"]["style"] == "glass"
     assert doors["Dye lab"]["label"] == "Dye lab"
+
+
+@pytest.mark.parametrize("times", [0.3, 4.0])
+def test_a_width_that_no_door_of_a_plan_has_is_told(mill_court, kinds, times):
+    def widened(document):
+        for opening in document["features"]:
+            (x, y), (to_x, to_y) = opening["geometry"]["coordinates"]
+            end = [x + times * (to_x - x), y + times * (to_y - y)]
+            opening["geometry"]["coordinates"] = [[x, y], end]
+
+    change(mill_court, "opening", widened)
+    imported = import_imdf(mill_court, "1")
+    told = next(line for line in imported.guessed if line.startswith("widths of doors"))
+    assert told.startswith(
+        "widths of doors: 0.8 to 2.4 m, and no wider than their wall"
+    )
+    assert all(each["source"] in told for each in kinds(imported, "door"))
 
 
 def test_an_opening_between_two_pieces_of_floor_is_a_passage(mill_court):

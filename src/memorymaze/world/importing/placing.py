@@ -19,7 +19,7 @@ from memorymaze.basics.geometry.pose import heading_to, moved
 from memorymaze.basics.wording import counted
 from memorymaze.world.importing.found import FoundDoor, FoundRoom, FoundThing
 from memorymaze.world.importing.imported import ImportNotes
-from memorymaze.world.importing.shapes import polygons
+from memorymaze.world.importing.shapes import HAIR, polygons
 from memorymaze.world.importing.ways import PlannedFloor
 from memorymaze.world.sites.floor_rules import DOOR_WIDTHS, ROOM_OFF_DOOR, ROOM_ON_FLOOR
 from memorymaze.world.sites.records import Door, Landmark, PlanPart, Room, rectangle
@@ -133,8 +133,6 @@ class _Placer:
         """Yield the doors, each in the nearest wall that is long enough."""
         for door in found:
             kind = door_kinds()[door.kind]
-            if door.width is None:
-                self._notes.guess("widths of doors", door.source)
             wanted = min(max(door.width or kind.width, DOOR_WIDTHS[0]), DOOR_WIDTHS[1])
             walls = self._walls_near(door.place, door.reach, DOOR_WIDTHS[0] + 2 * JAMB)
             if not walls:
@@ -150,6 +148,7 @@ class _Placer:
             if any(other.distance(line) == 0 for other in self._doors):
                 self._notes.miss("doors where another door is", door.source)
                 continue
+            self._tell_width(door, line.length)
             if line.centroid.distance(Point(door.place)) > FARTHEST_UNTOLD:
                 self._notes.guess("doors moved onto a wall", door.source)
             self._doors.append(line)
@@ -166,6 +165,16 @@ class _Placer:
                 door.label or name,
                 "open" if door.is_open else "closed",
                 more={"source": door.source},
+            )
+
+    def _tell_width(self, door: FoundDoor, width: float) -> None:
+        if door.width is None:
+            self._notes.guess("widths of doors", door.source)
+        elif abs(width - door.width) > HAIR:
+            least, most = DOOR_WIDTHS
+            self._notes.guess(
+                f"widths of doors: {least} to {most} m, and no wider than their wall",
+                door.source,
             )
 
     def things(self, found: Sequence[FoundThing]) -> Iterator[Landmark]:
