@@ -115,7 +115,9 @@ def test_a_way_that_is_made_of_itself_is_told(tmp_path):
         import_osm(path)
 
 
-def test_a_multipolygon_has_its_holes(tmp_path, kinds):
+@pytest.fixture
+def court(tmp_path):
+    """A corridor round a court, as a relation of two rings."""
     ring = '<nd ref="{0}1"/><nd ref="{0}2"/><nd ref="{0}3"/><nd ref="{0}4"/><nd ref="{0}1"/>'
     corners = {"1": (0, 0), "2": (0, 2), "3": (2, 2), "4": (2, 0)}
     nodes = "".join(
@@ -134,8 +136,38 @@ def test_a_multipolygon_has_its_holes(tmp_path, kinds):
         '<tag k="level" v="0"/></relation></osm>',
         encoding="utf-8",
     )
-    imported = import_osm(path)
-    assert len(kinds(imported, "turning_point")) == 4
+    return path
+
+
+def test_a_multipolygon_has_its_holes(court, kinds):
+    assert len(kinds(import_osm(court), "turning_point")) == 4
+
+
+@pytest.mark.parametrize(
+    ("whole", "part"),
+    [
+        pytest.param('<node id="13"', '<node id="99"', id="a node is missing"),
+        pytest.param('<nd ref="24"/><nd ref="21"/>', '<nd ref="24"/>', id="open"),
+    ],
+)
+def test_a_multipolygon_that_is_not_all_there_is_told(court, whole, part):
+    tags = '<tag k="indoor" v="corridor"/><tag k="level" v="0"/></way>'
+    text = court.read_text("utf-8").replace(whole, part)
+    head, inner = text.replace("</osm>", "").split('<way id="2">')
+    ring = inner.split("</way>")[0]
+    court.write_text(
+        f'{head}<way id="2">{inner}<way id="4">{ring}{tags}</osm>', "utf-8"
+    )
+    imported = import_osm(court)
+    assert "ways and relations with broken outlines (1): relation/3" in imported.missing
+
+
+def test_only_emergency_exits_are_fire_doors(lantern_building, tmp_path, kinds):
+    path = tmp_path / "exits.osm"
+    text = lantern_building.read_text("utf-8")
+    path.write_text(text.replace('v="emergency"', 'v="exit"'), "utf-8")
+    styles = [each["style"] for each in kinds(import_osm(path, "3"), "door")]
+    assert "fire" not in styles
 
 
 @pytest.mark.parametrize(

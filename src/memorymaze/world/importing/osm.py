@@ -12,7 +12,7 @@ from pathlib import Path
 
 import shapely
 from shapely import LineString, MultiPoint, Point, Polygon
-from shapely.ops import polygonize
+from shapely.geometry.base import BaseGeometry
 
 from memorymaze.basics.errors import ImportFileError
 from memorymaze.basics.geometry.points import XY
@@ -268,7 +268,7 @@ class _Building:
             kind = "elevator"
         elif tags.get("automatic_door", "no") != "no":
             kind = "automatic"
-        elif tags.get("entrance") in ("emergency", "exit"):
+        elif tags.get("entrance") == "emergency":
             kind = "fire"
         else:
             kind = DOOR_KINDS.get(tags.get("material", ""), "wood")
@@ -319,8 +319,7 @@ class _Building:
     def _polygons(self, element: Element) -> list[Polygon] | None:
         """Return what an element encloses: nothing for an open line, None if broken."""
         if element.id.startswith("way/"):
-            whole = all(member in self._elements for member, _ in element.members)
-            if not whole or len(_places(element, self._elements)) < 2:
+            if not self._is_whole(element):
                 return None
             closed = element.is_closed and element.tags.get("area") != "no"
             outline = Polygon(self._line(element)) if closed else None
@@ -328,14 +327,22 @@ class _Building:
         rings: dict[str, list[LineString]] = {"outer": [], "inner": []}
         for member, role in element.members:
             way = self._elements.get(member)
-            if way is None or len(_places(way, self._elements)) < 2:
+            if way is None or not self._is_whole(way):
                 return None
             rings.setdefault(role or "outer", []).append(self._line(way))
-        outer, inner = (
-            shapely.union_all(list(polygonize(rings[role])))
-            for role in ("outer", "inner")
-        )
+        enclosed: list[BaseGeometry] = []
+        for role in ("outer", "inner"):
+            found, *beside = shapely.polygonize_full(rings[role])
+            if not all(each.is_empty for each in beside):
+                return None
+            enclosed.append(shapely.union_all(shapely.get_parts(found)))
+        outer, inner = enclosed
         return polygons(outer.difference(inner)) or None
+
+    def _is_whole(self, way: Element) -> bool:
+        """Tell whether all nodes of a way are in the file."""
+        whole = all(member in self._elements for member, _ in way.members)
+        return whole and len(_places(way, self._elements)) >= 2
 
 
 def _tag_texts(tags: Mapping[str, str]) -> set[str]:
