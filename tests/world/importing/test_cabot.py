@@ -78,6 +78,13 @@ def test_what_is_guessed_and_missing_is_told_with_ids(quay_house):
             id="a feature of another kind",
         ),
         pytest.param(
+            "EDITOR_facil_15",
+            "properties.hulop_height",
+            1.5,
+            "points of interest on no floor of the file (1): EDITOR_facil_15",
+            id="a point of interest between two floors",
+        ),
+        pytest.param(
             "EDITOR_node_r5",
             "geometry.coordinates",
             [9.0, 47.3],

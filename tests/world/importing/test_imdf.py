@@ -95,6 +95,16 @@ def test_what_is_left_out_is_told_with_ids(mill_court):
         assert reason in told
 
 
+def test_a_second_occupant_of_a_unit_is_told(mill_court):
+    def doubled(document):
+        second = document["features"][0] | {"id": "second"}
+        document["features"].append(second)
+
+    change(mill_court, "occupant", doubled)
+    told = import_imdf(mill_court, "1").missing
+    assert "occupants of a unit that has another one (1): second" in told
+
+
 def test_files_that_are_not_read_are_told(mill_court):
     with zipfile.ZipFile(mill_court, "a") as archive:
         archive.writestr("detail.geojson", "{}")

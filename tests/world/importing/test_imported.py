@@ -31,6 +31,10 @@ def test_a_floor_is_chosen_by_its_number_or_its_name(asked):
     assert chosen_floor({1.0: "1F", 2.0: "2F"}, asked, "f") == 2.0
 
 
+def test_the_names_of_floors_come_before_their_numbers():
+    assert chosen_floor({0.0: "-1", 1.0: "0", 2.0: "1"}, "0", "f") == 1.0
+
+
 def test_the_only_floor_need_not_be_asked_for():
     assert chosen_floor({0.0: "G"}, None, "f") == 0.0
 

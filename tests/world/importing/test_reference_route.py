@@ -59,6 +59,14 @@ def test_what_is_no_route_is_told(start, goal, message, l_site):
         reference_route(l_site, start, goal)
 
 
+def test_of_several_rooms_of_one_name_the_route_asks_for_an_id(t_site):
+    rooms = tuple(replace(each, name="Restroom") for each in t_site.rooms)
+    site = replace(t_site, rooms=rooms)
+    with pytest.raises(SettingsError, match="got room_library, room_lift; give the id"):
+        reference_route(site, "0,-8", "restroom")
+    assert reference_route(site, "0,-8", "room_lift").goal_landmark == "room_lift"
+
+
 def test_two_places_that_obstacles_part_are_told(corridor_site):
     wall = replace(corridor_site.landmarks[0], size=(0.5, 9.0, 1.0), heading=1.5707963)
     with pytest.raises(SettingsError, match=r"got none that keeps 0\.45 m"):

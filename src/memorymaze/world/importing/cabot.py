@@ -7,7 +7,7 @@ walk on, after the Japanese standard for pedestrian networks, without walls or r
 import math
 import re
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -114,7 +114,7 @@ def import_cabot(path: Path, floor: str | None = None) -> ImportedSite:
     }
     level = chosen_floor(floors, floor, str(path))
     links, upwards = _links(features, nodes, level, notes)
-    points = list(_points_of_interest(features, frame, level, notes))
+    points = list(_points_of_interest(features, frame, floors, level, notes))
     entrances = _entrances(features, nodes, level, frame, points, notes)
     doors = [*entrances, *_ways_up(points, nodes, upwards, notes)]
     degrees = Counter(end for link in links for end in (link.start, link.end))
@@ -207,6 +207,7 @@ def _links(
 def _points_of_interest(
     features: Sequence[SourceFeature],
     frame: LocalFrame,
+    floors: Container[float],
     level: float,
     notes: ImportNotes,
 ) -> Iterator[_PointOfInterest]:
@@ -214,9 +215,12 @@ def _points_of_interest(
     for feature in features:
         if feature.text("hulop_major_category") != "_nav_poi_":
             continue
+        height = feature.number("hulop_height") or 0.0
         if not isinstance(feature.geometry, Point):
             notes.miss("points of interest without a place", feature.id)
-        elif (feature.number("hulop_height") or 0.0) == level:
+        elif height not in floors:
+            notes.miss("points of interest on no floor of the file", feature.id)
+        elif height == level:
             yield _PointOfInterest(
                 feature,
                 frame.metres(feature.geometry.x, feature.geometry.y),

@@ -179,8 +179,10 @@ def _occupants(
         unit, name = units.get(occupant.text("anchor_id") or ""), occupant.text("name")
         if unit is None or name is None:
             notes.miss("occupants without a name or an anchor in a unit", occupant.id)
+        elif unit in found:
+            notes.miss("occupants of a unit that has another one", occupant.id)
         else:
-            found.setdefault(unit, name)
+            found[unit] = name
     return found
 
 

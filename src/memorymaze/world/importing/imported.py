@@ -21,7 +21,6 @@ from memorymaze.world.sites.loading_rules import FLOOR_ACROSS
 from memorymaze.world.sites.plan import in_millimetres
 from memorymaze.world.sites.records import Anchor, PlanPart, Site, parts_by_kind
 
-_Key = TypeVar("_Key", bound=str | float)
 _Shape = TypeVar("_Shape", bound=BaseGeometry)
 EQUATOR_RADIUS = 6_378_137.0
 """Metres (WGS 84)."""
@@ -171,17 +170,15 @@ def listed_in(
     return cast(list[object], listed)
 
 
-def chosen_floor(floors: Mapping[_Key, str], asked: str | None, source: str) -> _Key:
-    """Return the key of the floor that is asked for by key or name, or of the only one."""
+def chosen_floor(floors: Mapping[float, str], asked: str | None, source: str) -> float:
+    """Return the key of the floor that is asked for by name or key, or of the only one."""
     if asked is None and len(floors) == 1:
         return next(iter(floors))
     wanted = (asked or "").strip().casefold()
-    for key, name in floors.items():
-        if wanted in (
-            str(key).casefold(),
-            f"{key:g}" if isinstance(key, float) else "",
-            name.casefold(),
-        ):
+    # Names come first: ordinals 0, 1, 2 may be called -1, 0, 1.
+    named = [(name, key) for key, name in floors.items()]
+    for name, key in (*named, *((f"{key:g}", key) for key in floors)):
+        if wanted == name.casefold():
             return key
     known = ", ".join(floors.values())
     if asked is None:

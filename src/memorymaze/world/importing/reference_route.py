@@ -2,7 +2,7 @@
 
 import math
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations, pairwise
 
@@ -31,6 +31,9 @@ SLIGHT = math.radians(60)
 SPACING = 0.02
 """Metres that routes keep beyond the clearance that is asked for."""
 PLACE = re.compile(r"\s*(-?[0-9.]+)\s*,\s*(-?[0-9.]+)\s*")
+
+_Goal = tuple[Point | LineString | Polygon, str]
+"""Where something is, and its words."""
 
 
 @dataclass(frozen=True)
@@ -118,11 +121,7 @@ def _end(site: Site, said: str, which: str) -> _End:
         if near is None or goals[near][0].distance(spot) > GOAL_NEAR:
             return _End(place, None, said)
         return _End(place, near, goals[near][1])
-    found = [
-        identity
-        for identity, (_, words) in goals.items()
-        if said == identity or said.casefold() == words.casefold()
-    ]
+    found = [said] if said in goals else _called(said, goals)
     if not found:
         known = [
             name for identity, (_, words) in goals.items() for name in (identity, words)
@@ -131,14 +130,29 @@ def _end(site: Site, said: str, which: str) -> _End:
             f"route {which} {said!r}: expected x,y or the id or name of a room, door or "
             f"thing of {site.name}, got none of these{did_you_mean(said, known)}"
         )
-    identity = found[0]
+    if len(found) > 1:
+        raise SettingsError(
+            f"route {which} {said!r}: expected one that is called so in {site.name}, got "
+            f"{', '.join(found)}; give the id of one"
+        )
+    [identity] = found
     doors = [door.line for door in site.doors if door.room == identity]
     shape = doors[0] if doors else goals[identity][0]
     there = nearest_points(site.walkable_floor, shape.centroid)[0]
     return _End((there.x, there.y), identity, goals[identity][1])
 
 
-def goals_of(site: Site) -> dict[str, tuple[Point | LineString | Polygon, str]]:
+def _called(said: str, goals: Mapping[str, _Goal]) -> list[str]:
+    """Return the ids of the rooms that are called so, or else doors, or else things."""
+    found = [
+        (identity, type(shape))
+        for identity, (shape, words) in goals.items()
+        if said.casefold() == words.casefold()
+    ]
+    return [identity for identity, kind in found if kind is found[0][1]]
+
+
+def goals_of(site: Site) -> dict[str, _Goal]:
     """Return what one can be sent to, with its words, rooms first."""
 
     def words(each: Room | Door | Landmark) -> str:
