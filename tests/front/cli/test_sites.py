@@ -153,19 +153,23 @@ def test_incomplete_commands_are_wrong_usage(
     assert caught.value.code == 2
 
 
-def test_check_warns_of_things_that_have_no_look_of_their_own(
+@pytest.mark.parametrize("members", [{}, {"length_m": 1.0}])
+def test_check_warns_of_things_that_have_no_look_of_their_own_beside_errors_too(
     command: Command,
     tiny_sites_folder: Path,
     tmp_path: Path,
     capsys: pytest.CaptureFixture[str],
+    members: dict[str, float],
 ):
     plan = json.loads(next(tiny_sites_folder.glob("*.geojson")).read_text("utf-8"))
     for feature in plan["features"]:
         if feature["properties"]["kind"] == "landmark":
             feature["properties"]["category"] = "flux capacitor"
+        if feature["properties"]["kind"] == "route":
+            feature["properties"] |= members
     path = tmp_path / f"{plan['name']}.geojson"
     path.write_text(json.dumps(plan), "utf-8")
-    assert command("check", path) == 0
+    assert command("check", path) == bool(members)
     warnings = [
         line for line in capsys.readouterr().out.splitlines() if ":known-look:" in line
     ]

@@ -183,6 +183,21 @@ def test_a_route_over_the_floor_of_a_mesh_can_be_driven(
     check_site(plan)
 
 
+def test_an_import_tells_which_things_have_no_look(
+    written: Callable[..., Path], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = written(corridor_mesh(Stuhl=block(17.7, 10, 18.4, 11, 1.0)))
+
+    run_command_line([
+        "sites", "import", str(path), "--from", "mesh", "--out",
+        str(tmp_path / "annex.geojson"),
+    ])  # fmt: skip
+
+    out, err = capsys.readouterr()
+    assert ":stuhl:known-look: warning: expected a category that has a look" in out
+    assert err.endswith("0 errors, 1 warning\n")
+
+
 def test_degenerate_faces_do_not_matter(
     written: Callable[..., Path], loaded: Callable[..., Site]
 ) -> None:

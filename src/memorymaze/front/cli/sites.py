@@ -14,7 +14,6 @@ from memorymaze.front.cli.verbs import Verbs, add_plan
 
 if TYPE_CHECKING:
     from memorymaze.world.sites import Site
-    from memorymaze.world.sites.problems import SiteProblem
 
 DONE, FAILED = 0, 1
 
@@ -192,12 +191,7 @@ def _check(args: argparse.Namespace) -> int:
     from memorymaze.world.sites import find_site_problems
 
     paths = [path for plan in args.plans for path in _plans(plan)]
-    problems = [
-        problem
-        for path in paths
-        for found in [find_site_problems(path)]
-        for problem in (*found, *_without_a_look(path, found))
-    ]
+    problems = [problem for path in paths for problem in find_site_problems(path)]
     for problem in problems:
         print(problem.line())
     errors = sum(problem.severity == "error" for problem in problems)
@@ -207,16 +201,6 @@ def _check(args: argparse.Namespace) -> int:
         file=sys.stderr,
     )
     return FAILED if errors else DONE
-
-
-def _without_a_look(path: Path, found: "list[SiteProblem]") -> "list[SiteProblem]":
-    """Return a warning for each category of a sound plan that nothing looks like."""
-    from memorymaze.world.sites import load_site
-    from memorymaze.world.sites.things import problems_of_categories
-
-    if any(problem.severity == "error" for problem in found):
-        return []
-    return problems_of_categories(load_site(path))
 
 
 def _draw(args: argparse.Namespace) -> None:

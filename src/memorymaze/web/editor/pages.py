@@ -37,11 +37,7 @@ from memorymaze.world.sites.loading_rules import floor_is_complete
 from memorymaze.world.sites.plan_models import FEATURE_MODELS, PlanHeader
 from memorymaze.world.sites.reading import understand_plan
 from memorymaze.world.sites.records import Site, floor_pieces
-from memorymaze.world.sites.things import (
-    door_kinds,
-    problems_of_categories,
-    thing_kinds,
-)
+from memorymaze.world.sites.things import door_kinds, thing_kinds
 
 _Message = TypeVar("_Message", bound=BaseModel)
 
@@ -136,8 +132,6 @@ class EditorPages:
         document = self._file.keep_draft(edited)
         problems = plan_problems(understand_plan(document), self._file.path)
         site, complete = _site_of(document, self._file.path)
-        if site is not None and not any(each.severity == "error" for each in problems):
-            problems += problems_of_categories(site)
         walls: list[Polygon] = []
         if site is not None and complete:
             walls = floor_pieces([each.polygon for each in site.floor_parts])

@@ -27,6 +27,7 @@ from memorymaze.world.sites.reading import PlanContent, read_plan
 from memorymaze.world.sites.records import Site
 from memorymaze.world.sites.route_rules import route_findings
 from memorymaze.world.sites.shape_rules import shape_problem
+from memorymaze.world.sites.things import problems_of_categories
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,7 +121,7 @@ def _findings_together(
     site: Site, broken: Mapping[str, str], has_size: bool
 ) -> list[SiteProblem]:
     """Find what is wrong with sound features seen together."""
-    findings = loading_findings(site, broken)
+    findings = [*loading_findings(site, broken), *problems_of_categories(site)]
     if floor_is_complete(broken) and not any(
         finding.rule in FLOOR_RULES for finding in findings
     ):

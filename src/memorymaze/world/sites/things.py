@@ -108,7 +108,6 @@ def problems_of_categories(site: Site) -> list[SiteProblem]:
             "with its name; use a common noun such as bench, or end with one "
             "(reading bench)",
             "warning",
-            site.source,
         )
         for category, feature in reversed(unknown.items())
     ]
