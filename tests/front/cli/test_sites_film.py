@@ -24,6 +24,20 @@ def test_the_film_of_a_route_is_where_it_says(
     assert b"ftyp" in (tmp_path / "walkthrough-corridor-R1.mp4").read_bytes()[:16]
 
 
+def test_a_building_that_no_camera_draws_is_refused_before_the_film_begins(
+    memorymaze: Memorymaze,
+    changed: Callable[..., Path],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    path = changed("loop", "south_way", {"properties.floor_material": "marble"})
+    monkeypatch.chdir(path.parent)
+    monkeypatch.setattr("memorymaze.runs.films.walkthrough.write_video", pytest.fail)
+    said = memorymaze("sites", "film", path, "R1", *SMALL)
+    assert said.code == 1
+    assert said.err.startswith(f"memorymaze: {path}: south_way: known-word: ")
+    assert [each.name for each in path.parent.iterdir()] == [path.name]
+
+
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [

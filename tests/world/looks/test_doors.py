@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 from shapely import LineString
 
-from memorymaze.basics.errors import SettingsError
 from memorymaze.world.looks.doors import DOOR_STYLES, is_seen_through, model_for_door
 from memorymaze.world.sites.records import Door
 from memorymaze.world.sites.solids import DOOR_HEIGHT, DOOR_PROUD
@@ -89,8 +88,3 @@ def test_glass_and_open_doors_are_seen_through(
     assert is_seen_through(made) == seen_through
     clear = [part for part in model_for_door(made).parts if part.material.rgba[3] < 0.9]
     assert bool(clear) == seen_through
-
-
-def test_an_unknown_style_is_named() -> None:
-    with pytest.raises(SettingsError, match="got 'bamboo'"):
-        model_for_door(door("bamboo"))

@@ -1,8 +1,13 @@
+from collections.abc import Callable
+from pathlib import Path
+
 import numpy as np
 import pytest
 
-from memorymaze.basics.errors import SettingsError
-from memorymaze.world.looks import surfaces
+from memorymaze.basics.errors import SitePlanError
+from memorymaze.world.looks import OWN, surfaces
+from memorymaze.world.looks.building import building
+from memorymaze.world.sites import load_site
 from memorymaze.world.sites.checking import FLOOR_MATERIALS
 
 
@@ -39,7 +44,21 @@ def test_materials_can_be_told_apart() -> None:
     assert len(set(means.values())) == len(means)
 
 
-@pytest.mark.parametrize("kind", [surfaces.floor, surfaces.wall])
-def test_an_unknown_material_is_named(kind) -> None:
-    with pytest.raises(SettingsError, match="got 'lava'"):
-        kind("lava")
+@pytest.mark.parametrize(
+    ("feature", "member", "known"),
+    [
+        ("corridor", "floor_material", "carpet, linoleum, wood, concrete, tile"),
+        ("corridor", "wall_material", "plaster, glass, wood_panel, brick, concrete"),
+        ("door_1", "style", "wood, glass, steel, automatic_glass, elevator, fire"),
+    ],
+)
+def test_a_word_that_has_no_look_is_named_with_its_file_and_feature(
+    changed: Callable[..., Path], feature: str, member: str, known: str
+) -> None:
+    path = changed("corridor", feature, {f"properties.{member}": "lava"})
+    with pytest.raises(SitePlanError) as refused:
+        building(load_site(path), OWN)
+    assert str(refused.value) == (
+        f"{path}: {feature}: known-word: {member}: expected one of {known}, got 'lava', "
+        "which is refused by cameras and exports"
+    )

@@ -18,6 +18,7 @@ from memorymaze.robot.simulation.scene import Scene
 from memorymaze.robot.simulation.settings import SimulationSettings
 from memorymaze.runs.films.drawing import frames_from
 from memorymaze.runs.films.settings import WalkthroughSettings
+from memorymaze.world.sites.checking import check_drawn
 from memorymaze.world.sites.records import Route
 
 TOUR_SETTINGS = SimulationSettings(
@@ -59,12 +60,15 @@ def film_walkthrough(
 
     Raises:
         SettingsError: The file cannot be there, or the extra `video` is missing.
+        SitePlanError: A floor, a wall or a door has a word that has no look.
         RenderingError: This machine cannot draw; says what to install.
         MemoryMazeError: The route cannot be driven.
         OSError: The file cannot be written to its end.
     """
     settings = settings or WalkthroughSettings()
     check_video_path(path)
+    if settings.looks != "mesh":
+        check_drawn(scene.site)
     poses = list(tour_of(scene, route).poses(settings.fps, settings.speed))
     # Closed at once where the film is broken off, with the processes that draw.
     with closing(frames_from(scene.site, settings, poses)) as frames:

@@ -19,6 +19,7 @@ from memorymaze.world.looks.meshes import (
     PlacedMeshes,
 )
 from memorymaze.world.looks.structure import structure_of
+from memorymaze.world.sites.checking import check_drawn
 from memorymaze.world.sites.records import Site
 from memorymaze.world.sites.scene_objects import SceneObject
 from memorymaze.world.sites.solids import door_solid, landmark_solid
@@ -30,10 +31,15 @@ LOW = 0.3
 
 
 def building(site: Site, looks: Looks) -> Building:
-    """Build the meshes of a site that passed the checks of `memorymaze.world.sites`."""
+    """Build the meshes of a site that passed the checks of `memorymaze.world.sites`.
+
+    Raises:
+        SitePlanError: A floor, a wall or a door has a word that has no look.
+    """
     if looks == "mesh":
         # What a mesh hides is not known beforehand.
         return Building(mesh_building(site), np.empty((0, 4)))
+    check_drawn(site)
     around, hiding = structure_of(site)
     return Building([*around, *_things(site, looks), *_shades(site)], hiding)
 

@@ -10,7 +10,6 @@ from collections.abc import Callable
 
 import numpy as np
 
-from memorymaze.basics.errors import SettingsError
 from memorymaze.world.looks.assembly import Assembly, ObjectModel, built
 from memorymaze.world.looks.boards import PICTOGRAMS, pictogram_board, sign_board
 from memorymaze.world.looks.materials import (
@@ -55,11 +54,6 @@ def is_seen_through(door: Door) -> bool:
 
 def model_for_door(door: Door) -> ObjectModel:
     """Return what a door looks like."""
-    if door.style not in DOOR_STYLES:
-        raise SettingsError(
-            f"door {door.id}: expected a style of {', '.join(DOOR_STYLES)}, got "
-            f"{door.style!r}"
-        )
     length = float(door.line.length)
     made = Assembly()
     DOOR_STYLES[door.style](made, door, length)

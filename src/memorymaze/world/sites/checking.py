@@ -16,7 +16,7 @@ from memorymaze.world.sites.floor_rules import (
     floor_findings,
     thing_findings,
 )
-from memorymaze.world.sites.loading import SNAKE_CASE, site_from_content
+from memorymaze.world.sites.loading import SNAKE_CASE, refuse, site_from_content
 from memorymaze.world.sites.loading_rules import (
     FLOOR_RULES,
     floor_is_complete,
@@ -115,6 +115,17 @@ def made_site_problems(site: Site) -> list[SiteProblem]:
         for part in site.parts:
             findings += _word_findings(part.id, part)
     return findings
+
+
+def check_drawn(site: Site) -> None:
+    """Refuse a building with words for surfaces or doors that have no look."""
+    findings = [
+        finding
+        for part in (*site.floor_parts, *site.doors)
+        for finding in _word_findings(part.id, part)
+        if finding.rule == "known-word"
+    ]
+    refuse(site.source or site.name, findings)
 
 
 def _findings_together(
@@ -224,8 +235,8 @@ def _word_findings(identity: str, said: object) -> Iterator[SiteProblem]:
             yield SiteProblem(
                 identity,
                 "known-word",
-                f"{member}: expected one of {', '.join(known)}, got {word!r}, "
-                "which is kept",
+                f"{member}: expected one of {', '.join(known)}, got {word!r}, which is "
+                + ("kept" if member == "use" else "refused by cameras and exports"),
                 "warning",
             )
 

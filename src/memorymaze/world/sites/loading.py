@@ -59,18 +59,18 @@ def sound_site(plan: PlanContent, source: str) -> records.Site:
     findings = [*plan.findings, *findings]
     if site is not None:
         findings += loading_findings(site, broken)
-    _refuse(source, findings)
+    refuse(source, findings)
     return cast(records.Site, site)  # without one there are findings
 
 
 def check_sound(site: records.Site) -> None:
     """Refuse a building that was made in memory and cannot be used."""
     flaws = [flaw for flaw in map(shape_problem, site.parts) if flaw is not None]
-    _refuse(site.source or site.name, flaws or loading_findings(site, {}))
+    refuse(site.source or site.name, flaws or loading_findings(site, {}))
 
 
-def _refuse(source: str, findings: Sequence[SiteProblem]) -> None:
-    """Say the first thing that is wrong, and how many more there are."""
+def refuse(source: str, findings: Sequence[SiteProblem]) -> None:
+    """Raise with the first thing that is wrong, and how many more there are."""
     if not findings:
         return
     first, *others = findings
