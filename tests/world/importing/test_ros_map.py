@@ -100,6 +100,17 @@ def test_a_map_without_floor_is_refused_by_name(mapped: Callable[..., Path]) -> 
         import_ros_map(path)
 
 
+def test_a_map_whose_cells_make_too_large_a_floor_is_refused_by_its_resolution(
+    mapped: Callable[..., Path],
+) -> None:
+    path = mapped()
+    text = path.read_text("utf-8").replace("resolution: 0.05", "resolution: 5")
+    path.write_text(text, "utf-8")
+
+    with pytest.raises(ImportFileError, match=r"map\.yaml: expected .* which is 5,"):
+        import_ros_map(path)
+
+
 @pytest.mark.parametrize("narrowest", [0.0, -1.0, float("nan"), float("inf")])
 def test_a_width_without_meaning_is_refused(
     mapped: Callable[..., Path], narrowest: float

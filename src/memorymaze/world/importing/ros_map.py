@@ -7,6 +7,7 @@ from shapely import LineString
 
 from memorymaze.basics.errors import ImportFileError, SettingsError
 from memorymaze.basics.extras import require_extra
+from memorymaze.basics.geometry.grid import LARGEST_FLOOR
 from memorymaze.basics.wording import counted
 from memorymaze.world.importing.centre_lines import centre_lines
 from memorymaze.world.importing.imported import (
@@ -51,6 +52,12 @@ def import_ros_map(
         space = free_space(grid, narrowest / 2)
     except ImportFileError as error:
         raise ImportFileError(f"{path}: {error}") from None
+    if space.floor.area > LARGEST_FLOOR:
+        raise ImportFileError(
+            f"{path}: expected a floor of at most {LARGEST_FLOOR:,.0f} m², got "
+            f"{space.floor.area:,.0f} m²; look at resolution, metres per cell, which is "
+            f"{grid.resolution:g}, or cut the map"
+        )
     notes = ImportNotes()
     stray = max(STRAY, STRAY_CELLS * grid.resolution)
     ragged, standing = without_obstacles(space.floor)
