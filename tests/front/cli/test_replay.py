@@ -68,8 +68,8 @@ def test_a_recording_is_written_instead_of_the_video(
     [
         pytest.param(["--size", "big"], "WIDTHxHEIGHT", id="size"),
         pytest.param(["--size", "321x240"], "even", id="odd size"),
-        pytest.param(["--fps", "nan"], "fps from", id="nan"),
-        pytest.param(["--speed", "0"], "speed from", id="speed"),
+        pytest.param(["--fps", "nan"], "fps: expected a number from", id="nan"),
+        pytest.param(["--speed", "0"], "speed: expected a number from", id="speed"),
         pytest.param(["--out", "a.avi"], "*.mp4", id="kind"),
         pytest.param(["--out", "x/a.mp4"], "make ", id="folder"),
         pytest.param(["--rerun", "a.mp4"], "*.rrd", id="recording"),

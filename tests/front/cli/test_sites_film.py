@@ -51,8 +51,16 @@ def test_a_building_that_no_camera_draws_is_refused_before_the_film_begins(
             id="panorama",
         ),
         pytest.param(["university", "R1", "--fps", "x"], "--fps", id="no number"),
-        pytest.param(["university", "R1", "--fps", "nan"], "fps from", id="nan"),
-        pytest.param(["university", "R1", "--speed", "0"], "speed from", id="speed"),
+        pytest.param(
+            ["university", "R1", "--fps", "nan"],
+            "fps: expected a number from",
+            id="nan",
+        ),
+        pytest.param(
+            ["university", "R1", "--speed", "0"],
+            "speed: expected a number from",
+            id="speed",
+        ),
         pytest.param(["university", "R1", "--out", "a.avi"], "*.mp4", id="kind"),
         pytest.param(["university", "R1", "--out", "x/a.mp4"], "make ", id="folder"),
     ],
