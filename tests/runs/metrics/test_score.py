@@ -170,6 +170,31 @@ def test_a_walk_off_the_floor_is_undefined(pillar_grid: FloorGrid) -> None:
         score_walk(pillar_grid, ROUND_THE_CORNER, [(1.0, 1.0), (5.0, 5.0)])
 
 
+@pytest.mark.parametrize(
+    ("walk", "said"),
+    [
+        ([(1, 2), (10, 40), (18, 2)], r"point 1 at \(10.000, 40.000\) is 36.00 m off"),
+        (
+            [(1, 2), (10, 2), (10, 4.7), (10, 2), (18, 2)],
+            r"point 2 at \(10.000, 4.700\) is 0.70 m off",
+        ),
+        (
+            [(1, 2), (17, 2), (17, 4.7), (17, 2), (18, 2)],
+            r"point 2 at \(17.000, 4.700\) is 0.70 m off",
+        ),
+        ([(1, 2), (math.nan, 2), (18, 2)], "point 1 is not finite"),
+    ],
+)
+def test_every_position_off_the_floor_is_told_by_its_own_number(
+    walk: list[tuple[float, float]], said: str
+) -> None:
+    grid, along = FloorGrid.from_polygon(shapely.box(0, 0, 20, 4)), [(1, 2), (18, 2)]
+    with pytest.raises(UndefinedMetricError, match=said):
+        score_walk(grid, along, walk)
+    with pytest.raises(UndefinedMetricError, match=said):
+        score_walk(grid, walk, along)
+
+
 def test_a_threshold_without_meaning_is_undefined(pillar_grid: FloorGrid) -> None:
     with pytest.raises(UndefinedMetricError, match="threshold > 0"):
         score_walk(pillar_grid, ROUND_THE_CORNER, ROUND_THE_CORNER, 0.0)

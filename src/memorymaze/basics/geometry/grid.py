@@ -136,12 +136,15 @@ class FloorGrid:
         """Return the nodes a path (N, 2) passes, consecutive repeats removed.
 
         The path is sampled at steps of one cell, so that consecutive nodes are
-        neighbours and a straight walk beside a cell's edge makes few detours.
+        neighbours and a straight walk beside a cell's edge makes few detours. None of
+        its own points may lie farther off the floor than `tolerance`.
         """
         if np.size(points) == 0:
             raise UndefinedMetricError(
                 "expected a path of at least one point, got none"
             )
+        # Samples pass over a point between them, and have numbers of their own.
+        self.floor.onto(points, self.tolerance)
         nodes = self.map_points(polyline.resample(points, self.cell))
         return nodes[np.concatenate([[True], nodes[1:] != nodes[:-1]])]
 
