@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from memorymaze.basics.geometry.pose import Pose
+from memorymaze.robot.api.sensors_and_motion import OdometryReading
 from memorymaze.robot.simulation.body import SimulatedBody
 from memorymaze.robot.simulation.scene import build_scene
 from memorymaze.robot.simulation.settings import SimulationSettings
@@ -44,8 +45,11 @@ class Wheels:
         self._dies_after = (options or WheelOptions()).dies_after
         self.closed = 0
         opened.append(self)
-        for name in ("odometry", "lidar_scan", "camera_picture"):
+        for name in ("lidar_scan", "camera_picture"):
             setattr(self, name, getattr(self._body, name))
+
+    def odometry(self) -> OdometryReading:
+        return self._body.odometry()
 
     def drive(self, speed: float, turn_rate: float, seconds: float) -> None:
         if self._body.time > self._dies_after:
@@ -61,6 +65,23 @@ class Localised(Wheels):
 
     def pose_in_site(self) -> Pose:
         return self._body.pose
+
+
+class Slips(Wheels):
+    """The same, whose odometry is three metres off after five seconds."""
+
+    def odometry(self) -> OdometryReading:
+        read = super().odometry()
+        x, y, heading = read.pose
+        return read._replace(pose=Pose(x, y + 3.0 * (read.time > 5.0), heading))
+
+
+class Leaps(Localised):
+    """The same, which believes after five seconds that it is far aside."""
+
+    def pose_in_site(self) -> Pose:
+        x, y, heading = self._body.pose
+        return Pose(x, y + 50.0 * (self._body.time > 5.0), heading)
 
 
 _made: Iterator[int] = iter(range(1000))

@@ -19,6 +19,7 @@ from memorymaze.runs.episodes.named_settings import named_in_python, run_setting
 from memorymaze.runs.episodes.plan import RunPlan
 from memorymaze.runs.episodes.results import EpisodeResult
 from memorymaze.runs.episodes.settings import RunSettings, differences
+from memorymaze.runs.episodes.trace_entries import TrajectoryEntry
 from memorymaze.runs.work.driver import run_plan
 from memorymaze.runs.work.run_folder import read_run
 
@@ -115,6 +116,40 @@ def test_a_body_that_dies_costs_its_episode_and_not_the_run(
     assert len(results) == len(plan.episodes)
     ends = [each.stopped_by for each in results]
     assert (ends.count("crash"), ends.count("agent")) == (1, len(ends) - 1)
+
+
+@pytest.mark.parametrize(
+    ("body", "advice"), [("Slips", "by its odometry, which may drift"), ("Leaps", "")]
+)
+def test_a_walk_that_leaves_the_floor_is_a_crash_measured_up_to_there(
+    follow: Follow, body: str, advice: str
+) -> None:
+    run = follow(f"{MODULE}:{body}")
+    result, points = run.result, run.trajectory.points
+    assert (result.stopped_by, result.success) == ("crash", False)
+    off = np.abs(points[:, 1]) > 2.0
+    left = int(np.argmax(off))
+    x, y = points[left]
+    said = (
+        f"the walk as measured leaves the floor at ({x:.2f}, {y:.2f}){advice and ', '}"
+    )
+    assert str(result.error).startswith(said + advice)
+    walked = np.hypot(*np.diff(points[:left], axis=0).T).sum()
+    assert result.path_length == pytest.approx(walked)
+    assert off[-1]
+    assert result.api_calls > 1
+    [kept] = [each for each in run.trace if isinstance(each, TrajectoryEntry)]
+    assert len(kept.poses) == len(points)
+
+
+def test_a_walk_that_leaves_the_floor_is_driven_once(
+    tiny_plan: Callable[..., RunPlan], tmp_path: Path
+) -> None:
+    plan = tiny_plan("oracle", limit=1)
+    settings = replace(plan.settings, robot=parse_body(f"{OWN}:Leaps"))
+    [result] = run_plan(replace(plan, settings=settings), tmp_path / "run")
+    assert (result.stopped_by, result.path_length > 1) == ("crash", True)
+    assert str(result.error).startswith("the walk as measured leaves the floor at")
 
 
 def test_a_body_that_cannot_be_put_away_is_told_and_its_episode_counts(

@@ -129,10 +129,17 @@ class Arena:
         stopped_by: str,
         success_distance: float,
     ) -> FinishedWalk:
-        """Return the walk of an episode that is over, to be measured."""
-        return FinishedWalk(
+        """Return the walk of an episode that is over, to be measured.
+
+        One that leaves the floor ends there, as a crash.
+
+        Raises:
+            UndefinedMetricError: The episode's reference path leaves the floor.
+        """
+        walk = FinishedWalk(
             self.site, self.grid, episode, trajectory, stopped_by, success_distance
         )
+        return walk.while_on_floor()
 
 
 def arenas_of(settings: RunSettings, sites: Mapping[str, Site]) -> dict[str, Arena]:

@@ -20,6 +20,7 @@ from memorymaze.basics.errors import (
     SpendingLimitReached,
 )
 from memorymaze.basics.failures import failure_line, failure_traceback
+from memorymaze.basics.geometry.points import XY
 from memorymaze.basics.geometry.trajectory import Trajectory
 from memorymaze.robot.simulation.robot import SimulatedRobot
 from memorymaze.runs.episodes.arena import Arena
@@ -87,8 +88,9 @@ def run_episode(
 
     The first thing that ends the episode counts: a budget that ran out stays `budget`,
     even where the agent catches what the robot raises and returns as if it had arrived.
-    An episode whose program lost its interpreter is run once more, because that may
-    have been killed from outside; a program that brings it down does so again.
+    A walk that leaves the floor is a `crash`, and measured up to there. An episode whose
+    program lost its interpreter is run once more, because that may have been killed from
+    outside; a program that brings it down does so again.
 
     Args:
         agent: Follows; may raise anything.
@@ -183,9 +185,11 @@ def _attempt(
         # Whatever the agent made of it.
         ended, error = "crash", robot.lost
     walk = robot.trajectory()
+    finished = arena.finished(episode, walk, ended, settings.success_distance)
+    if finished.left_floor_at is not None and robot.lost is None:
+        ended, error = "crash", _off_floor(finished.left_floor_at, robot)
     trace += surroundings_entries(robot)
     trace += closing_entries(robot, walk, ended, error)
-    finished = arena.finished(episode, walk, ended, settings.success_distance)
     told = episode.instruction
     asked = [] if people is None else people.asked
     strangers_s = 0.0 if people is None else people.seconds
@@ -239,6 +243,14 @@ def _attempt(
         else (),
     )
     return EpisodeRun(result, walk, tuple(trace), interpreter_lost)
+
+
+def _off_floor(place: XY, robot: SimulatedRobot) -> str:
+    x, y = place
+    told = f"the walk as measured leaves the floor at ({x:.2f}, {y:.2f})"
+    if robot.tells_by_odometry:
+        told += ", by its odometry, which may drift; a body with pose_in_site is measured by that"
+    return told
 
 
 class _Ending(NamedTuple):

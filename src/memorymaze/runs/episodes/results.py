@@ -1,6 +1,7 @@
 """What came of one episode: its walk as metrics see it, a flat record, a line of JSON."""
 
 import json
+from bisect import bisect_left
 from collections.abc import Callable
 from dataclasses import asdict, dataclass, replace
 from functools import cached_property
@@ -10,8 +11,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from pydantic import FiniteFloat, TypeAdapter, ValidationError
 
-from memorymaze.basics.errors import RunFolderError
+from memorymaze.basics.errors import RunFolderError, UndefinedMetricError
 from memorymaze.basics.geometry.grid import FloorGrid
+from memorymaze.basics.geometry.points import XY
 from memorymaze.basics.geometry.trajectory import Trajectory
 from memorymaze.runs.metrics import turns
 from memorymaze.runs.metrics.score import MetricValues, score_walk
@@ -35,6 +37,41 @@ class FinishedWalk:
     """Who or what ended it; only `agent` can be a success."""
     success_distance: float
     """Metres."""
+    left_floor_at: XY | None = None
+    """Where it went on off the floor, of which nothing is here."""
+
+    def while_on_floor(self) -> "FinishedWalk":
+        """Return it up to where it leaves the floor, then ended by a crash; or as it is.
+
+        Raises:
+            UndefinedMetricError: The reference path leaves the floor.
+        """
+        if not self._is_off:
+            return self
+        # Where the start alone cannot be measured, the reference path is at fault.
+        _ = self._first(1).scores
+        poses = self.trajectory.poses
+        on_floor = 1 + bisect_left(
+            range(2, len(poses)), True, key=lambda count: self._first(count)._is_off
+        )
+        beyond = poses[on_floor]
+        return replace(
+            self._first(on_floor),
+            stopped_by="crash",
+            left_floor_at=(beyond.x, beyond.y),
+        )
+
+    def _first(self, count: int) -> "FinishedWalk":
+        """Return it with so many of its poses."""
+        return replace(self, trajectory=Trajectory(self.trajectory.poses[:count]))
+
+    @property
+    def _is_off(self) -> bool:
+        try:
+            _ = self.scores
+        except UndefinedMetricError:
+            return True
+        return False
 
     @property
     def points(self) -> NDArray[np.float64]:
