@@ -75,6 +75,17 @@ class Rolling(PointBody):
         return super().odometry()._replace(speed=0.3)
 
 
+class TellsTuple(PointBody):
+    def odometry(self) -> OdometryReading:
+        read = super().odometry()
+        return read._replace(pose=tuple(read.pose))
+
+
+class KnowsNoPose(PointBody):
+    def pose_in_site(self) -> Any:
+        return (1.0, 0.0, 0.0)
+
+
 @pytest.mark.parametrize(
     ("body", "words"),
     [
@@ -85,6 +96,8 @@ class Rolling(PointBody):
         (Clockwise, "moves what is seen to the right"),
         (FromZero, "ascending"),
         (Rolling, "standing still"),
+        (TellsTuple, "odometry: expected an OdometryReading .* with a Pose"),
+        (KnowsNoPose, "pose_in_site: expected a Pose of finite numbers"),
     ],
 )
 def test_what_a_body_does_wrong_is_told(body: Any, words: str) -> None:

@@ -1,5 +1,6 @@
 """Bodies of users' own for `--robot`: the simulated one behind the four functions."""
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
@@ -82,6 +83,29 @@ class Leaps(Localised):
     def pose_in_site(self) -> Pose:
         x, y, heading = self._body.pose
         return Pose(x, y + 50.0 * (self._body.time > 5.0), heading)
+
+
+class TellsTuple(Localised):
+    """The same, which tells three numbers instead of a pose."""
+
+    def pose_in_site(self) -> Any:
+        return tuple(super().pose_in_site())
+
+
+class GetsLost(Localised):
+    """The same, which after three seconds knows no more how far it has come."""
+
+    def pose_in_site(self) -> Pose:
+        lost = self._body.time > 3.0
+        return super().pose_in_site()._replace(**({"x": math.nan} if lost else {}))
+
+
+class Overflows(Wheels):
+    """The same, whose odometry after three seconds is no number."""
+
+    def odometry(self) -> OdometryReading:
+        read = super().odometry()
+        return read._replace(speed=math.inf if read.time > 3.0 else read.speed)
 
 
 _made: Iterator[int] = iter(range(1000))

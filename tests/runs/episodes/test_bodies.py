@@ -119,6 +119,27 @@ def test_a_body_that_dies_costs_its_episode_and_not_the_run(
 
 
 @pytest.mark.parametrize(
+    ("body", "said"),
+    [
+        ("GetsLost", "pose_in_site: expected a Pose of finite numbers, got Pose(x=nan"),
+        ("Overflows", "odometry: expected an OdometryReading of finite numbers"),
+    ],
+)
+def test_a_body_that_tells_no_numbers_any_more_is_a_crash(
+    follow: Follow, body: str, said: str
+) -> None:
+    run = follow(f"{MODULE}:{body}")
+    assert run.result.stopped_by == "crash"
+    assert f"the robot's body failed: {said}" in str(run.result.error)
+    assert 0 < run.result.path_length < 5
+
+
+def test_a_body_that_tells_a_tuple_for_its_place_is_told_so(follow: Follow) -> None:
+    with pytest.raises(RobotBodyError, match=r"expected a Pose .*, got \(2\.0, 0\.0"):
+        follow(f"{MODULE}:TellsTuple")
+
+
+@pytest.mark.parametrize(
     ("body", "advice"), [("Slips", "by its odometry, which may drift"), ("Leaps", "")]
 )
 def test_a_walk_that_leaves_the_floor_is_a_crash_measured_up_to_there(

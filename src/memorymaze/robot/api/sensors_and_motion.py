@@ -6,8 +6,10 @@ docs/bodies.md tells how, with a body of 40 lines.
 """
 
 import math
-from typing import NamedTuple, Protocol, runtime_checkable
+from collections.abc import Iterable
+from typing import NamedTuple, Protocol, SupportsFloat, runtime_checkable
 
+from memorymaze.basics.errors import RobotBodyError
 from memorymaze.basics.geometry.pose import Pose
 from memorymaze.robot.api.steps import CameraPicture, LidarScan
 
@@ -22,6 +24,35 @@ class OdometryReading(NamedTuple):
     the left of it in the floor's plane, headings counter-clockwise. It may drift."""
     speed: float
     """Metres per second over the floor, whichever way; at least 0."""
+
+
+def checked_place(told: object) -> Pose:
+    """Return what a body's `pose_in_site` told, if it is a `Pose` of finite numbers."""
+    if isinstance(told, Pose) and _are_finite(told):
+        return told
+    raise RobotBodyError(
+        f"pose_in_site: expected a Pose of finite numbers, got {told!r}"
+    )
+
+
+def checked_reading(told: object) -> OdometryReading:
+    """Return what a body's `odometry` told, if it is a reading of finite numbers."""
+    if (
+        isinstance(told, OdometryReading)
+        and isinstance(told.pose, Pose)  # pyright: ignore[reportUnnecessaryIsInstance]
+        and _are_finite((told.time, *told.pose, told.speed))
+    ):
+        return told
+    raise RobotBodyError(
+        "odometry: expected an OdometryReading of finite numbers, with a Pose, got "
+        f"{told!r}"
+    )
+
+
+def _are_finite(numbers: Iterable[object]) -> bool:
+    return all(
+        isinstance(each, SupportsFloat) and math.isfinite(each) for each in numbers
+    )
 
 
 @runtime_checkable

@@ -9,7 +9,12 @@ from typing import NoReturn, Protocol, TypeVar, runtime_checkable
 from memorymaze.basics.errors import RenderingError, RobotBodyError
 from memorymaze.basics.geometry.pose import Pose, wrap_angle
 from memorymaze.basics.physics_engine import mujoco
-from memorymaze.robot.api.sensors_and_motion import OdometryReading, SensorsAndMotion
+from memorymaze.robot.api.sensors_and_motion import (
+    OdometryReading,
+    SensorsAndMotion,
+    checked_place,
+    checked_reading,
+)
 from memorymaze.robot.api.steps import CameraPicture, LidarScan
 from memorymaze.robot.perception.camera_view import CameraView
 from memorymaze.robot.simulation.body import BodyInSite
@@ -65,7 +70,7 @@ class OwnBody(BodyInSite):
         self.lost: str | None = None
         """Why it does nothing any more."""
         self._start = start
-        self._first = self._read = self._asked(body.odometry)
+        self._first = self._read = self._odometer()
         self._data = mujoco.MjData(scene.model)
         self._told: deque[tuple[float, Pose]] = deque(maxlen=10)
         self._locate()
@@ -85,7 +90,7 @@ class OwnBody(BodyInSite):
         """See `SensorsAndMotion.drive`."""
         before = self.pose
         self._asked(lambda: self.body.drive(speed, turn_rate, seconds))
-        self._read = self._asked(self.body.odometry)
+        self._read = self._odometer()
         self._locate()
         self._told.append((abs(speed) * seconds, before))
         self._has_moved()
@@ -168,9 +173,13 @@ class OwnBody(BodyInSite):
             self.lost = f"the robot's body failed: {told}"
             raise RobotBodyError(self.lost) from error
 
+    def _odometer(self) -> OdometryReading:
+        return self._asked(lambda: checked_reading(self.body.odometry()))
+
     def _locate(self) -> None:
-        if isinstance(self.body, KnowsItsPlace):
-            self.pose = self._asked(self.body.pose_in_site)
+        body = self.body
+        if isinstance(body, KnowsItsPlace):
+            self.pose = self._asked(lambda: checked_place(body.pose_in_site()))
         else:
             self.pose = self._by_odometry()
 
