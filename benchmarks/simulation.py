@@ -71,7 +71,7 @@ def episodes_a_second(agent: str, motion: str) -> float:
     """Walk the same episodes twice, and return how many a core does the second time."""
     choices = {"limit": EPISODES, "motion": motion}
     plan = plan_run(agent, settings=with_choices(RunSettings(), choices))
-    run = EpisodeWorker.of(plan, plan.settings)()
+    run = EpisodeWorker.of(plan)()
     seconds = 0.0
     for _ in range(2):
         began = time.process_time()

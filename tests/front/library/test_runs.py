@@ -3,6 +3,7 @@ import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
+from threading import RLock
 
 import pandas
 import pytest
@@ -119,6 +120,22 @@ def test_a_run_shows_how_many_of_its_episodes_failed(
 ) -> None:
     run = mm.evaluate(Fails(), corpus, limit=2, out=tmp_path / "run", workers=1)
     assert "2 episodes, success 0.00, 2 crash)" in repr(run)
+
+
+class HoldsLock(Fails):
+    """An agent with something that no other process can have."""
+
+    def __init__(self) -> None:
+        self.lock = RLock()
+
+
+def test_an_agent_that_cannot_be_sent_to_workers_is_refused_before_a_folder_is_made(
+    corpus: mm.Corpus, tmp_path: Path
+) -> None:
+    said = "HoldsLock': expected one that can be sent to worker processes, .*RLock"
+    with pytest.raises(SettingsError, match=said):
+        mm.evaluate(HoldsLock(), corpus, limit=1, out=tmp_path / "run")
+    assert not (tmp_path / "run").exists()
 
 
 def test_comparing_takes_two_runs_that_are_there(tmp_path: Path) -> None:

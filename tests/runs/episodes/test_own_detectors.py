@@ -104,7 +104,7 @@ def test_what_it_raises_is_not_the_agents_crash(
     tmp_path: Path, finder: str, tiny_plan: Callable[..., RunPlan]
 ) -> None:
     plan = tiny_plan(looker(tmp_path, "gpu"), detector=finder)
-    outcome = EpisodeWorker.of(plan, plan.settings)()(EpisodeTask(plan.episodes[0]))
+    outcome = EpisodeWorker.of(plan)()(EpisodeTask(plan.episodes[0]))
     assert isinstance(outcome, EpisodeDone)
     assert outcome.result.stopped_by == "model_error"
     assert "out of memory (my_finder.py, line" in (outcome.result.error or "")

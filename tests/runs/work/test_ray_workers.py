@@ -303,7 +303,7 @@ def test_an_agents_files_are_needed_no_more_once_they_are_packed(
     file.write_text(AGENT, encoding="utf-8")
     beside.write_text("NAME = 'traveller'", encoding="utf-8")
     plan = tiny_plan(f"{file}:Traveller")
-    worker = EpisodeWorker.of(plan, plan.settings)
+    worker = EpisodeWorker.of(plan)
     prepare = TravellingWorker(worker, pack_files(plan.settings))
     file.unlink()
     beside.unlink()
@@ -327,9 +327,7 @@ def test_code_of_ones_own_travels_whatever_its_role(
     robot = BodySettings(f"{tmp_path / 'robot' / 'mine.py'}:Finder")
     packed = pack_files(replace(plan.settings, robot=robot, looks=None))
     assert packed == dict.fromkeys(("robot/mine.py", "detector/mine.py"), code.encode())
-    prepare = TravellingWorker(
-        EpisodeWorker.of(plan, plan.settings), pack_files(plan.settings)
-    )
+    prepare = TravellingWorker(EpisodeWorker.of(plan), pack_files(plan.settings))
     file.unlink()
     done, _ = prepare()(EpisodeTask(plan.episodes[0]))
     assert isinstance(done, EpisodeDone)
@@ -370,7 +368,7 @@ def test_answers_recorded_on_other_machines_come_back_and_are_not_asked_for_agai
     tasks = [EpisodeTask(episode) for episode in plan.episodes[:2]]
     for task in (*tasks, tasks[0]):
         files = pack_files(plan.settings)
-        there = TravellingWorker(EpisodeWorker.of(plan, plan.settings), files)()
+        there = TravellingWorker(EpisodeWorker.of(plan), files)()
         done = RayWorker(None, there(task), record).receive()
         assert isinstance(done, EpisodeDone)
         assert done.result.model_calls == 1

@@ -12,7 +12,12 @@ from memorymaze.runs.episodes.provenance import code_stamp
 from memorymaze.runs.episodes.results import EpisodeResult
 from memorymaze.runs.episodes.shards import whole_folder
 from memorymaze.runs.episodes.summary import summarise
-from memorymaze.runs.work.episode_worker import EpisodeTask, LimitReached, Lost
+from memorymaze.runs.work.episode_worker import (
+    EpisodeTask,
+    EpisodeWorker,
+    LimitReached,
+    Lost,
+)
 from memorymaze.runs.work.local_workers import LocalWorkforce
 from memorymaze.runs.work.progress import Progress
 from memorymaze.runs.work.run_folder import RunFolder, RunRecord, open_run_folder
@@ -42,6 +47,7 @@ def run_plan(
     plan = replace(plan, kept_from=(*plan.kept_from, whole.absolute()))
     workforce = workers if isinstance(workers, Workforce) else LocalWorkforce(workers)
     workforce.check(plan.settings)
+    prepare = EpisodeWorker.of(plan)
     path = Path(folder)
     now = datetime.now(UTC).isoformat(timespec="seconds")
     record = RunRecord(settings=plan.settings, code=code_stamp(), started=now)
@@ -65,7 +71,7 @@ def run_plan(
                 successes=sum(each.success for each in run.finished.values()),
             ) as progress,
             WorkerPool(
-                workforce.source(plan, path, len(waiting)), plan.settings.wall_limit
+                workforce.source(prepare, path, len(waiting)), plan.settings.wall_limit
             ) as pool,
         ):
             for task, outcome in pool.run(queue.choose):

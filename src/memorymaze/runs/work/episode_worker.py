@@ -9,7 +9,7 @@ import cloudpickle
 import numpy as np
 
 from memorymaze.agents.agent import Journal
-from memorymaze.basics.errors import SpendingLimitReached
+from memorymaze.basics.errors import SettingsError, SpendingLimitReached
 from memorymaze.basics.failures import WorkerLost, failure_line
 from memorymaze.robot.api.control import Robot
 from memorymaze.runs.episodes.agent_catalogue import chosen_again
@@ -75,11 +75,22 @@ class EpisodeWorker:
     """Files and folders that an isolated agent may not read."""
 
     @classmethod
-    def of(cls, plan: RunPlan, settings: RunDefinition) -> "EpisodeWorker":
-        """Return the worker of a plan, on settings that say more of this machine."""
+    def of(cls, plan: RunPlan) -> "EpisodeWorker":
+        """Return the worker of a plan.
+
+        Raises:
+            SettingsError: The agent was handed over and cannot be sent to a process.
+        """
         handed = plan.agent.handed
-        packed = None if handed is None else cloudpickle.dumps(handed)
-        return cls(settings, plan.sites, packed, plan.kept_from)
+        try:
+            packed = None if handed is None else cloudpickle.dumps(handed)
+        except Exception as error:
+            raise SettingsError(
+                f"agent {plan.settings.agent.name!r}: expected one that can be sent to "
+                f"worker processes, got one that cannot ({error}); hand over "
+                "its class, with Options, or make in follow what cannot be sent"
+            ) from error
+        return cls(plan.settings, plan.sites, packed, plan.kept_from)
 
     def __call__(self) -> Callable[[EpisodeTask], EpisodeOutcome]:
         """Make the agent; return the function."""

@@ -20,7 +20,6 @@ from memorymaze.basics.processes import (
     start_server,
 )
 from memorymaze.basics.wording import counted
-from memorymaze.runs.episodes.plan import RunPlan
 from memorymaze.runs.episodes.settings import RunDefinition
 from memorymaze.runs.work.episode_worker import (
     EpisodeOutcome,
@@ -60,20 +59,22 @@ class LocalWorkforce:
         one_alone = settings.robot is not None
         return self.workers or (1 if one_alone else available_cores())
 
-    def source(self, plan: RunPlan, folder: Path, episodes: int) -> "LocalSource":
-        """Return processes for a plan; no more of them than there are episodes."""
-        count = min(self.number(plan.settings), episodes)
+    def source(
+        self, prepare: EpisodeWorker, folder: Path, episodes: int
+    ) -> "LocalSource":
+        """Return processes for a run; no more of them than there are episodes."""
+        count = min(self.number(prepare.settings), episodes)
         # Threads of a model wait for each other: one without a core holds up all.
         threads = max(1, available_cores() // max(1, count) - 1)
-        agent = plan.settings.agent
+        agent = prepare.settings.agent
         model = replace(
             agent.language_model,
             # Absolute, because an agent may change its process's folder.
             shared_folder=str(folder.absolute()),
             threads=agent.language_model.threads or threads,
         )
-        settings = replace(plan.settings, agent=replace(agent, language_model=model))
-        return LocalSource(EpisodeWorker.of(plan, settings), count)
+        settings = replace(prepare.settings, agent=replace(agent, language_model=model))
+        return LocalSource(replace(prepare, settings=settings), count)
 
 
 @dataclass(frozen=True, slots=True)

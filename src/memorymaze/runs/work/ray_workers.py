@@ -23,7 +23,6 @@ from memorymaze.basics.own_code import own_files
 from memorymaze.basics.processes import available_cores
 from memorymaze.basics.wording import counted
 from memorymaze.language.models.answer_files import append_answers
-from memorymaze.runs.episodes.plan import RunPlan
 from memorymaze.runs.episodes.provenance import code_stamp
 from memorymaze.runs.episodes.settings import RunDefinition
 from memorymaze.runs.work.episode_worker import (
@@ -146,13 +145,14 @@ class RayWorkforce:
                     "itself; give the server's address in the network"
                 )
 
-    def source(self, plan: RunPlan, folder: Path, episodes: int) -> "RaySource":
+    def source(
+        self, prepare: EpisodeWorker, folder: Path, episodes: int
+    ) -> "RaySource":
         """Return where workers come from; no more of them than there are episodes."""
-        prepare = TravellingWorker(
-            EpisodeWorker.of(plan, plan.settings), pack_files(plan.settings)
-        )
-        record = plan.settings.agent.language_model.record
-        return RaySource(prepare, min(self.workers, episodes), record)
+        settings = prepare.settings
+        travelling = TravellingWorker(prepare, pack_files(settings))
+        record = settings.agent.language_model.record
+        return RaySource(travelling, min(self.workers, episodes), record)
 
 
 class RaySource:

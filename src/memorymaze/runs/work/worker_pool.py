@@ -16,9 +16,13 @@ from pathlib import Path
 from typing import Any, Literal, Protocol, runtime_checkable
 
 from memorymaze.basics.errors import MemoryMazeError
-from memorymaze.runs.episodes.plan import RunPlan
 from memorymaze.runs.episodes.settings import RunDefinition
-from memorymaze.runs.work.episode_worker import EpisodeOutcome, EpisodeTask, Lost
+from memorymaze.runs.work.episode_worker import (
+    EpisodeOutcome,
+    EpisodeTask,
+    EpisodeWorker,
+    Lost,
+)
 
 STARTS = 3
 """Workers of one place that may die in a row before they are ready; then the run ends."""
@@ -103,8 +107,10 @@ class Workforce(Protocol):
         """
         ...
 
-    def source(self, plan: RunPlan, folder: Path, episodes: int) -> WorkerSource:
-        """Return where the workers for the episodes of a plan come from."""
+    def source(
+        self, prepare: EpisodeWorker, folder: Path, episodes: int
+    ) -> WorkerSource:
+        """Return where workers for so many episodes come from that prepare so."""
         ...
 
 
