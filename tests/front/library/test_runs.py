@@ -154,6 +154,7 @@ def test_comparing_takes_two_runs_that_are_there(tmp_path: Path) -> None:
             lambda: mm.evaluate(Fails(), 5),
             "corpus: expected instruction files, .* got 5",
         ),
+        (lambda: mm.evaluate(Fails(), out=5), "out: expected a folder to make, got 5"),
     ],
 )
 def test_what_is_neither_a_run_nor_a_corpus_is_refused_by_its_name(

@@ -150,6 +150,20 @@ def test_a_robot_by_hand_has_as_much_time_as_it_is_given(corridor: Path) -> None
         ({"seed": -1}, "seed: expected a whole number of at least 0, got -1"),
         ({"obstacles": True}, "obstacles: expected ObstacleSettings, a level by name"),
         ({"noise": 0.1}, "noise: expected NoiseSettings, a level by name or None, got"),
+        ({"robot": object}, r"robot: .*'file.py:Class' or None, got <class 'object'>"),
+        ({"robot": 5}, "robot: expected BodySettings, one by name such as .*, got 5"),
+        (
+            {"detector": object},
+            "detector: .* one by name such as 'file.py:Class', got <",
+        ),
+        ({"detector": None}, "detector: expected DetectorSettings or .*, got None"),
+        (
+            {
+                "settings": RunSettings(),
+                "simulation": mm.SimulationSettings(time_budget=3),
+            },
+            "simulation.time_budget: .* got 3; give time_budget of RunSettings",
+        ),
     ],
 )
 def test_a_robot_by_hand_is_not_made_of_what_means_nothing(

@@ -8,6 +8,7 @@ from memorymaze.basics.errors import SettingsError
 from memorymaze.basics.input_files import FileStamp, stamp_file
 from memorymaze.robot.perception.error_model import ErrorModel
 from memorymaze.robot.perception.eyes import DetectorSettings
+from memorymaze.robot.simulation.settings import SimulationSettings
 from memorymaze.runs.episodes.named_settings import with_choices
 from memorymaze.runs.episodes.settings import (
     Difference,
@@ -72,6 +73,14 @@ def test_a_run_has_a_time_budget_that_its_file_can_hold(
     endless = replace(settings.simulation, time_budget=float("inf"))
     with pytest.raises(SettingsError, match="time budget: expected a finite number"):
         replace(settings, simulation=endless)
+
+
+def test_a_time_budget_that_a_run_would_not_keep_is_refused() -> None:
+    asked = SimulationSettings(time_budget=3, call_budget=50)
+    with pytest.raises(SettingsError, match="got 3; give time_budget of RunSettings"):
+        RunSettings(simulation=asked)
+    kept = RunSettings(simulation=SimulationSettings(call_budget=50), time_budget=3)
+    assert kept.simulation.call_budget == 50
 
 
 def test_equal_settings_do_not_differ(settings: RunDefinition) -> None:

@@ -163,6 +163,7 @@ def evaluate(
         MemoryMazeError: Something that was given cannot be used; what agents do wrong
             is part of the results.
     """
+    check_kind("out", out, str | Path | None, "a folder to make")
     followed = corpus if isinstance(corpus, Corpus) else load_corpus(corpus)
     base = settings_for(followed) if settings is None else settings
     plan = plan_run(agent, followed, with_choices(base, choices), language_model)

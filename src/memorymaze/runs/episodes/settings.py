@@ -8,7 +8,7 @@ from typing import Any, Literal
 from memorymaze.agents.agent import Need
 from memorymaze.basics.errors import SettingsError
 from memorymaze.basics.input_files import FileStamp
-from memorymaze.basics.options import check_number, check_whole, check_word
+from memorymaze.basics.options import check_kind, check_number, check_whole, check_word
 from memorymaze.basics.wording import counted
 from memorymaze.language.models.model_settings import NOT_COMPARED as MODEL_NOT_COMPARED
 from memorymaze.language.models.model_settings import ModelSettings
@@ -214,16 +214,20 @@ class RunSettings:
                 "success distance: expected more than 0 metres, got "
                 f"{self.success_distance!r}"
             )
-        for name, kind in (("obstacles", ObstacleSettings), ("noise", NoiseSettings)):
-            value = getattr(self, name)
-            if value is not None and not isinstance(value, kind):
-                raise SettingsError(
-                    f"{name}: expected {kind.__name__}, a level by name or None, got {value!r}"
-                )
+        own = "by name such as 'file.py:Class'"
+        for name, kind, wanted in (
+            ("obstacles", ObstacleSettings | None, "ObstacleSettings, a level by name"),
+            ("noise", NoiseSettings | None, "NoiseSettings, a level by name"),
+            ("robot", BodySettings | None, f"BodySettings, one {own}"),
+        ):
+            check_kind(name, getattr(self, name), kind, f"{wanted} or None")
+        wanted = f"DetectorSettings or one {own}"
+        check_kind("detector", self.detector, DetectorSettings, wanted)
         check_word("budget_by", self.budget_by, BudgetBy)
         check_word("passers_by", self.passers_by, PassersBy)
         self._check_asking()
         self._check_body()
+        self._check_time()
         self.simulation.check_motion(as_in_plan=self.obstacles is None)
         check_word("signs", self.signs, SignSource)
 
@@ -259,6 +263,15 @@ class RunSettings:
             raise SettingsError(
                 f"{name}: is of the simulated robot and its building, and --robot "
                 f"{self.robot.name} has its own; leave one of them out"
+            )
+
+    def _check_time(self) -> None:
+        """Refuse a time budget in the place where a run puts its own."""
+        budget = self.simulation.time_budget
+        if budget != SimulationSettings().time_budget:
+            raise SettingsError(
+                "simulation.time_budget: expected it left out, since a run has its own, got "
+                f"{budget}; give time_budget of RunSettings"
             )
 
     def _check_asking(self) -> None:
@@ -311,9 +324,8 @@ class RunDefinition(RunSettings):
     answers: AnswersTaken | None = None
     """Answers that were given before; None where a model is asked."""
 
-    def __post_init__(self) -> None:
-        """Refuse values without meaning."""
-        RunSettings.__post_init__(self)
+    def _check_time(self) -> None:
+        """Refuse a time budget that no file can hold."""
         if not math.isfinite(self.simulation.time_budget):
             raise SettingsError(
                 "time budget: expected a finite number of seconds, got "
