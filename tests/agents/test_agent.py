@@ -44,6 +44,12 @@ def test_a_note_reaches_the_listener() -> None:
     assert heard == [*journal.notes] == [OwnNote("steps", {"steps": ["go"]})]
 
 
+def test_a_note_may_have_a_field_of_any_name() -> None:
+    journal = Journal()
+    journal.note("decision", kind="T", self="robot")
+    assert journal.notes == (OwnNote("decision", {"kind": "T", "self": "robot"}),)
+
+
 def test_what_is_no_note_cannot_be_put_among_the_notes() -> None:
     with pytest.raises(AttributeError):
         Journal().notes.append("x")  # pyright: ignore

@@ -125,7 +125,7 @@ class Journal:
             value = _checked(f"journal.{name}", "an amount of at least 0", value, float)
         super().__setattr__(name, value)
 
-    def note(self, kind: str, **details: Any) -> None:
+    def note(self, kind: str, /, **details: Any) -> None:
         """Write down a thought of any kind, such as `steps`, `decision`, `arrival`."""
         self.add(OwnNote(kind, details))
 

@@ -118,7 +118,11 @@ class CodeGenerationAgent:
     def _run(self, reply: str, robot: Robot, journal: Journal) -> None:
         program = read_program(reply)
         journal.add(ProgramNote(program))
-        run_program(program, robot, on_event=lambda event: journal.note(**event))
+        run_program(
+            program,
+            robot,
+            on_event=lambda event: journal.note(event.pop("kind"), **event),
+        )
 
 
 def _parses_first(answered: Collection[str]) -> bool:
