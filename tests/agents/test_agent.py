@@ -27,6 +27,8 @@ def test_a_journal_counts_what_was_spent() -> None:
         ("cost_usd", float("nan")),
         ("cost_usd", float("inf")),
         ("cost_usd", "free"),
+        ("cost_usd", "0.5"),
+        ("model_calls", True),
     ],
 )
 def test_what_cannot_be_added_up_is_refused_where_it_is_assigned(
@@ -98,7 +100,7 @@ def test_the_last_word_counts_and_the_last_confidence_that_is_told() -> None:
     assert (journal.confidence, journal.gave_up) == (0.75, True)
 
 
-@pytest.mark.parametrize("value", [1.2, -0.1, float("nan"), "high"])
+@pytest.mark.parametrize("value", [1.2, -0.1, float("nan"), "high", "0.9", True])
 def test_a_confidence_that_is_no_probability_is_refused_where_it_is_noted(
     value: object,
 ) -> None:

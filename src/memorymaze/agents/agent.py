@@ -206,10 +206,12 @@ def _checked(
     read: Callable[[Any], float],
     most: float = math.inf,
 ) -> float:
-    with contextlib.suppress(TypeError, ValueError):
-        number = read(value)
-        if math.isfinite(number) and 0 <= number <= most:
-            return number
+    # Python reads these as numbers too.
+    if not isinstance(value, bool | np.bool_ | str | bytes):
+        with contextlib.suppress(TypeError, ValueError):
+            number = read(value)
+            if math.isfinite(number) and 0 <= number <= most:
+                return number
     raise ValueError(f"{what}: expected {expected}, got {value!r}")
 
 
