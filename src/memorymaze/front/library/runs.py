@@ -154,7 +154,8 @@ def evaluate(
         settings: How; those that belong to the corpus when None.
         language_model: Which one the agent asks, and how, where it needs one.
         workers: Processes, 0 for one per core; or workers elsewhere.
-        resume: Whether to finish a run that is in the folder.
+        resume: Whether to finish a run that is in the folder. Of an agent that is an object
+            its file and its `options` are compared with it, not what else it holds.
         on_plan: Called with the plan and the folder, before anything is run.
         **choices: Settings to change, such as `limit=60`, `seed=1` or
             `obstacles="light"`; see `RunSettings` and `SimulationSettings`.
