@@ -350,7 +350,7 @@ def follow(
     belief = Belief(plan, floor, model, things)
     belief.update(starts)
     arrivals = Arrivals(plan, floor, model, things)
-    arrivals.destination.refuted |= pointing_signs
+    floor.refuted |= pointing_signs
     endings = tuple(each for each in arrivals.endings(belief) if each.mass > 0)
     masses = np.array([each.mass for each in endings])
     places = np.array([each.place for each in endings]).reshape(-1, 2)

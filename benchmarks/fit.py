@@ -55,7 +55,6 @@ class Snapshot:
     floor: bytes
     plan: RoutePlan
     starts: tuple[AssumedStart, ...]
-    refuted: frozenset[int]
     right: Way | None
     goal: tuple[float, float]
 
@@ -75,7 +74,6 @@ def snapshots(told: Sequence[ToldWay], seed: int, speakers: str) -> list[Snapsho
                 pickle.dumps(telling.belief.floor),
                 way.plan,
                 tuple(telling.starts),
-                frozenset(telling.destination.refuted),
                 now.right,
                 now.goal,
             )
@@ -95,7 +93,6 @@ def chance_of_right(snapshot: Snapshot, model: Likelihoods) -> float:
     tellings = Tellings(pickle.loads(snapshot.floor), model)
     telling = tellings.add(snapshot.plan)
     telling.starts = list(snapshot.starts)
-    telling.destination.refuted |= snapshot.refuted
     tellings.update()
     right = 0.0
     if snapshot.right in tellings.frontiers:

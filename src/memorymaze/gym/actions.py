@@ -119,12 +119,10 @@ def action_set(choice: Literal["discrete", "continuous"] | ActionSet) -> ActionS
     """Return the actions that a setting means."""
     if isinstance(choice, DiscreteActions | ContinuousActions):
         return choice
-    kinds: dict[object, ActionSet] = {
-        "discrete": DiscreteActions(),
-        "continuous": ContinuousActions(),
-    }
-    if choice in kinds:
-        return kinds[choice]
+    if choice == "discrete":
+        return DiscreteActions()
+    if choice == "continuous":
+        return ContinuousActions()
     raise SettingsError(
         "actions: expected 'discrete', 'continuous', DiscreteActions(…) or "
         f"ContinuousActions(…), got {choice!r}"

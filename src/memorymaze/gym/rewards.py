@@ -5,7 +5,7 @@ from dataclasses import dataclass, fields
 from typing import Any, Literal
 
 from memorymaze.basics.errors import SettingsError
-from memorymaze.basics.options import check_number
+from memorymaze.basics.options import check_kind, check_number
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,9 +66,11 @@ def reward_settings(choice: RewardChoice) -> RewardSettings:
     if choice == "sparse":
         return SPARSE
     names = [each.name for each in fields(RewardSettings)]
+    wanted = (
+        "'progress', 'sparse', RewardSettings(…) or numbers for some of "
+        f"{', '.join(names)}"
+    )
+    check_kind("reward", choice, str | Mapping, wanted)
     if not isinstance(choice, str) and set(choice) <= set(names):
         return RewardSettings(**choice)
-    raise SettingsError(
-        "reward: expected 'progress', 'sparse', RewardSettings(…) or numbers for some "
-        f"of {', '.join(names)}, got {choice!r}"
-    )
+    raise SettingsError(f"reward: expected {wanted}, got {choice!r}")
