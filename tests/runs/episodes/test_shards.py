@@ -208,23 +208,25 @@ def test_a_whole_run_is_no_part(
         read_run(tmp_path / "run")
 
 
-def test_a_folder_holds_a_whole_run_or_parts(
+def test_a_folder_holds_a_whole_run_or_parts_and_stays_as_it_was_when_refused(
     tmp_path: Path, record: RunRecord, shard_folder: Callable[..., Path]
 ) -> None:
     shard_folder(1)
+    other = replace(record, settings=replace(record.settings, shard=Shard(1, 2)))
+    with open_run_folder(tmp_path / "whole", record, resume=False):
+        pass
+    before = sorted(tmp_path.rglob("*"))
     with (
         pytest.raises(RunFolderError, match="holds parts of a run"),
         open_run_folder(tmp_path / "run", record, resume=False),
     ):
-        pass
-    other = replace(record, settings=replace(record.settings, shard=Shard(1, 2)))
-    with open_run_folder(tmp_path / "whole", record, resume=False):
         pass
     with (
         pytest.raises(RunFolderError, match="holds a whole run"),
         open_run_folder(tmp_path / "whole" / "part-1-of-2", other, resume=False),
     ):
         pass
+    assert sorted(tmp_path.rglob("*")) == before
 
 
 def test_shards_are_evaluated_into_the_folder_of_the_run(

@@ -118,6 +118,7 @@ def open_run_folder(
     """Begin a run, or take up one that was broken off."""
     with ExitStack() as stack:
         try:
+            _check_place(path, record)
             (path / "traces").mkdir(parents=True, exist_ok=True)
             stack.enter_context(locked(path / "lock"))
             remove_leftovers(path)
@@ -258,8 +259,8 @@ def _lines(content: bytes) -> list[bytes]:
     return [line for line in content.split(b"\n") if line]
 
 
-def _check_same_run(path: Path, record: RunRecord, *, resume: bool) -> bool:
-    """Refuse a folder with another run; tell whether this one was begun there."""
+def _check_place(path: Path, record: RunRecord) -> None:
+    """Refuse the folder of parts for a whole run, and that of a whole run for parts."""
     if parts_in(path):
         raise RunFolderError(
             f"{path}: holds parts of a run; choose another folder with --out"
@@ -268,6 +269,10 @@ def _check_same_run(path: Path, record: RunRecord, *, resume: bool) -> bool:
         raise RunFolderError(
             f"{path.parent}: holds a whole run; choose another folder for parts with --out"
         )
+
+
+def _check_same_run(path: Path, record: RunRecord, *, resume: bool) -> bool:
+    """Refuse a folder with another run; tell whether this one was begun there."""
     if not (path / "run.json").exists():
         if (path / "episodes.jsonl").exists():
             raise RunFolderError(
