@@ -38,6 +38,15 @@ def test_oracle_and_stop_run_from_files_to_tables(
     assert said.err == ""
 
 
+def test_a_shard_to_which_no_episode_falls_is_done(
+    memorymaze: Memorymaze, tiny_files: list[str], tmp_path: Path
+) -> None:
+    some = ["--limit", "1", "--with", "shard=2/2", "--out", tmp_path / "run"]
+    said = memorymaze("evaluate", "--agent", "stop", *tiny_files, *some)
+    assert said.code == 0
+    assert "no episode falls to this shard" in said.out
+
+
 def test_a_limit_spreads_over_the_files_and_can_be_resumed_only_as_it_was(
     memorymaze: Memorymaze, tiny_files: list[str], tmp_path: Path
 ) -> None:

@@ -16,6 +16,7 @@ from memorymaze.runs.episodes.settings import Shard, parse_shard
 from memorymaze.runs.episodes.shards import episodes_of_shard, part_folder
 from memorymaze.runs.episodes.trace import trace_content, trace_path
 from memorymaze.runs.episodes.trace_entries import EndEntry
+from memorymaze.runs.report import read_sources
 from memorymaze.runs.story.recorded_episode import load_episode
 from memorymaze.runs.tables import load_runs, run_tables
 from memorymaze.runs.work.driver import run_plan
@@ -240,3 +241,17 @@ def test_shards_are_evaluated_into_the_folder_of_the_run(
         )
     run = mm.load_run(tmp_path / "big")
     assert (len(run), run.record.settings.shard) == (4, None)
+
+
+def test_shards_to_which_no_episode_falls_are_parts_of_the_run(
+    tiny_corpus: Corpus, tmp_path: Path
+) -> None:
+    runs = [
+        mm.evaluate(
+            "stop", tiny_corpus, shard=f"{n}/3", limit=2, workers=1, out=tmp_path
+        )
+        for n in (1, 2, 3)
+    ]
+    assert [len(run) for run in runs] == [1, 1, 0]
+    assert "stop, 0 episodes" in repr(runs[2])
+    assert len(read_sources([tmp_path]).instructions) == 2

@@ -110,7 +110,10 @@ def _evaluate_agent(options: argparse.Namespace) -> None:
     with _working(options, out) as how:
         run = evaluate(agent, corpus, out=out, settings=settings, **how)
     print(f"run {run.folder}")
-    print("\n".join(result_lines(run.record.settings, run.results)))
+    if run.results:
+        print("\n".join(result_lines(run.record.settings, run.results)))
+    else:
+        print("no episode falls to this shard")
     for line in crash_lines(run.folder, run.results, whole=options.debug):
         print(line, file=sys.stderr)
     shard = run.record.settings.shard

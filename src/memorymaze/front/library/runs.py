@@ -27,6 +27,7 @@ from memorymaze.runs.tables import (
 )
 from memorymaze.runs.tables.figures import success_figure
 from memorymaze.runs.work.driver import run_plan
+from memorymaze.runs.work.run_folder import read_run
 from memorymaze.runs.work.worker_pool import Workforce
 from memorymaze.texts.corpus import Corpus, load_corpus
 
@@ -70,13 +71,14 @@ class Run(MeasuredRun):
 
     def __repr__(self) -> str:
         """Say who followed how much, and how well."""
-        rate = sum(each.success for each in self.results) / len(self.results)
+        successes = sum(each.success for each in self.results)
+        rate = f", success {successes / len(self):.2f}" if self.results else ""
         missing = f", {self.missing} to come" if self.missing else ""
         ends = Counter(each.stopped_by for each in self.results if each.error)
         failed = "".join(f", {count} {end}" for end, count in ends.items())
         return (
             f"Run({str(self.folder)!r}: {self.label}, {len(self)} episodes"
-            f"{missing}, success {rate:.2f}{failed})"
+            f"{missing}{rate}{failed})"
         )
 
 
@@ -150,7 +152,8 @@ def evaluate(
         corpus: What is followed, and where: loaded, or what `load_corpus` takes; None
             for the shipped texts.
         out: Run folder; None for `runs/AGENT-TIME`. A shard writes its part inside, and
-            the folder is read as one run when all parts are there.
+            the folder is read as one run when all parts are there. One to which no
+            episode falls, of more shards than episodes, gives a run without results.
         settings: How; those that belong to the corpus when None.
         language_model: Which one the agent asks, and how, where it needs one.
         workers: Processes, 0 for one per core; or workers elsewhere.
@@ -178,6 +181,9 @@ def evaluate(
     if on_plan is not None:
         on_plan(plan, folder)
     run_plan(plan, folder, workers=workers, resume=resume)
+    if not plan.episodes:
+        record, _ = read_run(folder)
+        return Run(folder, plan.settings.agent.name, record, (), 0)
     return load_run(folder)
 
 

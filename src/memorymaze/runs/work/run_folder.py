@@ -202,6 +202,8 @@ def read_instructions(path: str | Path) -> list[Instruction]:
         told = {each.id: each for part in parts for each in read_instructions(part)}
         return sorted(told.values(), key=lambda each: each.id)
     if not file.is_file():
+        if _read_record(Path(path)).settings.episodes == 0:
+            return []
         raise RunFolderError(
             f"{path}: expected the instructions of the run, got no {INSTRUCTIONS}; bring "
             "it back, or run it again"
