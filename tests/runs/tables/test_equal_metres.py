@@ -82,8 +82,8 @@ def test_texts_without_labelled_errors_are_refused(
     write: Write, texts: list[EpisodeResult]
 ) -> None:
     right = [replace(each, error_kinds=()) for each in texts]
-    run = write("run", right)
+    runs = [write(name, right) for name in ("a", "b")]
     with pytest.raises(
         RunFolderError, match="expected texts whose errors are labelled"
     ):
-        rows_of(run, run)
+        rows_of(*runs)

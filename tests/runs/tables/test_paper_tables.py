@@ -3,7 +3,7 @@ from pathlib import Path
 
 import pytest
 
-from memorymaze.basics.errors import RunFolderError
+from memorymaze.basics.errors import RunFolderError, SettingsError
 from memorymaze.basics.tables import Row, Table
 from memorymaze.runs.episodes.results import EpisodeResult
 from memorymaze.runs.tables import load_runs, paper_table, run_tables
@@ -126,6 +126,26 @@ def test_runs_of_one_method_are_told_apart_by_their_folders(
     ]
     labels = [run.label for run in load_runs(folders)]
     assert labels == ["guide (one)", "guide (two)", "oracle"]
+
+
+def test_runs_in_folders_of_one_name_are_told_apart_by_their_paths(
+    write: Write, result: Make, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("seed0/guide", "seed1/guide", "stop"):
+        write(name, [result("a-1")])
+    monkeypatch.chdir(tmp_path)
+    runs = load_runs(["seed0/guide", "seed1/guide", "stop"])
+    assert [run.name for run in runs] == ["seed0/guide", "seed1/guide", "stop"]
+    assert [run.label for run in runs] == [f"guide ({run.name})" for run in runs]
+
+
+def test_a_run_is_named_once(
+    write: Write, result: Make, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = write("run", [result("a-1")])
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(SettingsError, match="every run once, got it twice"):
+        load_runs([folder, "run"])
 
 
 def test_a_method_without_a_run_has_a_row_that_says_so_and_a_note_how_to_get_one(

@@ -115,3 +115,16 @@ def test_pairs_that_the_single_run_lacks_are_counted_out(
     [table] = run_tables(load_runs([single, both]), "second_tellings")
     assert table.rows[0]["pairs"] == 3
     assert any("lacks one of their tellings: 1" in note for note in table.notes)
+
+
+def test_runs_read_apart_find_their_counterpart_by_what_they_are(
+    keep: Write, result: Make
+) -> None:
+    folders = [
+        keep("mine/run", single_results(result)),
+        keep("other/run", single_results(result), seed=7),
+        keep("both", both_results(result), second_telling=True),
+    ]
+    runs = [run for folder in folders for run in load_runs([folder])]
+    [table] = run_tables(runs, "second_tellings")
+    assert table.rows[0]["pairs"] == 4

@@ -183,7 +183,7 @@ def evaluate(
     run_plan(plan, folder, workers=workers, resume=resume)
     if not plan.episodes:
         record, _ = read_run(folder)
-        return Run(folder, plan.settings.agent.name, record, (), 0)
+        return Run(folder, folder.name, plan.settings.agent.name, record, (), 0)
     return load_run(folder)
 
 
@@ -201,7 +201,8 @@ def compare(*runs: Run | str | Path, exclude_dev: bool = False) -> Comparison:
     """Compare runs on the episodes that they share; the first is the baseline.
 
     Raises:
-        SettingsError: There are fewer than two, or one is neither a run nor a folder.
+        SettingsError: There are fewer than two, one is neither a run nor a folder, or one
+            is named twice.
         RunFolderError: One is no run folder.
     """
     if len(runs) < 2:

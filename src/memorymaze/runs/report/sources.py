@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from memorymaze.basics.errors import RunFolderError, SettingsError
+from memorymaze.basics.errors import RunFolderError
 from memorymaze.basics.wording import counted
 from memorymaze.runs.story.recorded_episode import site_of
 from memorymaze.runs.tables import MeasuredRun, load_runs
@@ -54,7 +54,6 @@ def read_sources(
         SettingsError: A folder is named twice.
         SitePlanError: A plan cannot be used.
     """
-    _check_names(folders)
     runs = tuple(
         replace(run, letter=_letter(number))
         for number, run in enumerate(
@@ -95,13 +94,6 @@ def read_sources(
             )
         instructions = told | instructions
     return Sources(runs, sites, instructions, tuple(notes))
-
-
-def _check_names(folders: Sequence[str | Path]) -> None:
-    places = [Path(folder).resolve() for folder in folders]
-    for place in places:
-        if places.count(place) > 1:
-            raise SettingsError(f"{place}: expected every run once, got it twice")
 
 
 def _letter(number: int) -> str:

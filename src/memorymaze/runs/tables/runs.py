@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple, TypeVar
 
-from memorymaze.basics.errors import RunFolderError
+from memorymaze.basics.errors import RunFolderError, SettingsError
 from memorymaze.basics.tables import Column, Row
 from memorymaze.basics.wording import counted
 from memorymaze.runs.episodes.in_words import (
@@ -47,6 +47,8 @@ class MeasuredRun:
     """A run folder, read: its record, and the results that tables show."""
 
     folder: Path
+    name: str
+    """That of its folder; the path as it was given where another run's has the same."""
     label: str
     """Its method in tables, unlike that of the other runs."""
     record: RunRecord
@@ -55,11 +57,6 @@ class MeasuredRun:
     """Those shown, in the order of episode ids."""
     left_out: int
     """Results on development texts that are not shown."""
-
-    @property
-    def name(self) -> str:
-        """That of its folder."""
-        return self.folder.resolve().name
 
     @property
     def missing(self) -> int:
@@ -91,19 +88,34 @@ def load_runs(
 
     Raises:
         RunFolderError: A folder is no run, or has no result to show.
+        SettingsError: A folder is named twice.
     """
     read = [(*read_run(folder), Path(folder)) for folder in folders]
+    names = _names([folder for *_, folder in read])
     labels = [method_label(record.settings, results) for record, results, _ in read]
     runs: list[SomeRun] = []
-    for label, (record, results, folder) in zip(labels, read, strict=True):
+    for name, label, (record, results, folder) in zip(names, labels, read, strict=True):
         shown = [r for r in results if not (exclude_dev and r.split == "dev")]
         if not shown:
             raise RunFolderError(f"{folder}: has no results to show yet")
         left_out = len(results) - len(shown)
         if labels.count(label) > 1:
-            label += f" ({folder.resolve().name})"
-        runs.append(kind(folder, label, record, tuple(shown), left_out))
+            label += f" ({name})"
+        runs.append(kind(folder, name, label, record, tuple(shown), left_out))
     return runs
+
+
+def _names(folders: Sequence[Path]) -> list[str]:
+    """Return the names of runs, each unlike the others."""
+    places = [folder.resolve() for folder in folders]
+    for place in places:
+        if places.count(place) > 1:
+            raise SettingsError(f"{place}: expected every run once, got it twice")
+    bases = [place.name for place in places]
+    return [
+        base if bases.count(base) == 1 else str(folder)
+        for base, folder in zip(bases, folders, strict=True)
+    ]
 
 
 def study_title(study: str) -> str:

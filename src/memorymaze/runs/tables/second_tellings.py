@@ -89,18 +89,22 @@ def _single_of(both: MeasuredRun, runs: Sequence[MeasuredRun]) -> MeasuredRun:
     """Return the run on single texts that was made as one with both tellings."""
     settings = both.record.settings
     others = [run for run in runs if not run.record.settings.second_telling]
-    found = {
-        run.name: [
+    found = [
+        [
             str(each)
             for each in differences(run.record.settings, settings)
             if each.kind not in FREE
             and not (each.kind == "site" and None in (each.there, each.here))
         ]
         for run in others
-    }
-    alike = [run for run in others if not found[run.name]]
+    ]
+    alike = [run for run, why in zip(others, found, strict=True) if not why]
     if len(alike) != 1:
-        unlike = [f"{name}: {'; '.join(why)}" for name, why in found.items() if why]
+        unlike = [
+            f"{run.name}: {'; '.join(why)}"
+            for run, why in zip(others, found, strict=True)
+            if why
+        ]
         raise RunFolderError(
             f"{both.name}: expected beside it one run without second_telling that was "
             f"made otherwise alike, got {len(alike)}"
