@@ -1,7 +1,8 @@
 import shutil
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import pytest
 
@@ -13,6 +14,7 @@ from memorymaze.texts.corpus import (
     load_corpus,
     load_instructions,
 )
+from memorymaze.texts.corpus.spreadsheets import write_spreadsheet
 from memorymaze.world.sites import Site
 
 Line = Callable[..., dict[str, Any]]
@@ -109,8 +111,29 @@ def test_a_folder_with_plans_and_instructions_is_a_corpus(
         load_corpus(tmp_path, sites=tmp_path)
 
 
-def test_a_folder_without_instructions_says_what_was_expected(tmp_path: Path) -> None:
-    with pytest.raises(InstructionFileError, match="folder of the SAIL corpus"):
+def test_tables_in_a_folder_are_instruction_files(
+    line: Line, instruction_file: Write, tiny_sites: dict[str, Site], tmp_path: Path
+) -> None:
+    shutil.copy(tiny_sites["loop"].source, tmp_path)
+    instruction_file(line(), name="first.jsonl")
+    told = load_instructions([tmp_path / "first.jsonl"])
+    kinds: list[Literal["csv", "parquet"]] = ["csv", "parquet"]
+    for kind in kinds:
+        others = [replace(each, id=kind) for each in told]
+        write_spreadsheet(tmp_path / f"more.{kind}", others, kind)
+    corpus = load_corpus(tmp_path)
+    assert [episode.id for episode in corpus.episodes] == ["a-1", "csv", "parquet"]
+
+
+def test_a_folder_without_instructions_or_plans_says_what_was_expected(
+    line: Line, instruction_file: Write, tmp_path: Path
+) -> None:
+    with pytest.raises(
+        InstructionFileError, match=r"SAIL corpus.* got none of the fil"
+    ):
+        load_corpus(tmp_path)
+    instruction_file(line(), name="first.jsonl")
+    with pytest.raises(InstructionFileError, match=r"none of the plans; .*are listed"):
         load_corpus(tmp_path)
 
 

@@ -9,6 +9,7 @@ from memorymaze.basics.input_files import refusal
 from memorymaze.basics.options import check_kind
 from memorymaze.texts.corpus.files import (
     BUILTIN_CORPUS,
+    TEXT_ENDINGS,
     Findings,
     load_instructions,
     placed,
@@ -28,7 +29,7 @@ def load_corpus(
     """Load what agents are evaluated on.
 
     Args:
-        source: Instruction files (JSONL), one or several; or a folder: of the SAIL
+        source: Instruction files (JSONL, CSV, Parquet), one or several; or a folder: of the SAIL
             corpus, or with plans and instruction files of your own; None for the
             shipped texts.
         sites: A folder of site plans, or sites; None for the shipped ones. A folder
@@ -59,11 +60,15 @@ def load_corpus(
             )
         if is_sail_folder(folder):
             return sail_corpus(folder)
-        name, files, sites = folder.name, sorted(folder.glob("*.jsonl")), folder
-        if not files:
+        name, sites = folder.name, folder
+        files = sorted(f for f in folder.iterdir() if f.suffix.lower() in TEXT_ENDINGS)
+        if not files or not any(folder.glob("*.geojson")):
             raise InstructionFileError(
                 f"{folder}: expected a folder of the SAIL corpus (docs/texts.md), or one "
-                "with site plans (*.geojson) and instruction files (*.jsonl)"
+                "with site plans (*.geojson) and instruction files "
+                f"({', '.join(f'*{ending}' for ending in TEXT_ENDINGS)}), got none of the "
+                f"{'plans' if files else 'files'}; instruction files on other sites are "
+                "listed one by one"
             )
     else:
         files = [source] if isinstance(source, str | Path) else list(source)

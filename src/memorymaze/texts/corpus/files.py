@@ -20,10 +20,17 @@ from memorymaze.texts.corpus.record_format import (
     write_file,
 )
 from memorymaze.texts.corpus.records import Instruction
-from memorymaze.texts.corpus.spreadsheets import read_rows, spreadsheet_kind
+from memorymaze.texts.corpus.spreadsheets import (
+    TABLE_KINDS,
+    read_rows,
+    spreadsheet_kind,
+)
 
 BUILTIN_CORPUS = Path(str(files("memorymaze.texts.corpus") / "data/role_played.jsonl"))
 """The shipped corpus: 564 texts written by a language model (see its README)."""
+
+TEXT_ENDINGS = (".jsonl", *TABLE_KINDS)
+"""Of the names of instruction files."""
 
 Findings = Iterator[tuple[Instruction, str]]
 """What is wrong with instructions, or odd about them, one by one."""

@@ -23,6 +23,9 @@ from memorymaze.texts.corpus.records import Instruction
 
 _Kind = Literal["csv", "parquet"]
 
+TABLE_KINDS: dict[str, _Kind] = {".csv": "csv", ".parquet": "parquet"}
+"""What files are by the ends of their names."""
+
 STRUCTURED = ("failures", "followers", "spans")
 """Columns that hold JSON."""
 
@@ -64,8 +67,7 @@ def read_spreadsheet(path: str | Path, kind: _Kind) -> list[Instruction]:
 
 def spreadsheet_kind(path: str | Path) -> _Kind | None:
     """Return what a file is by its name; None for JSONL."""
-    kinds: dict[str, _Kind] = {".csv": "csv", ".parquet": "parquet"}
-    return kinds.get(Path(path).suffix.lower())
+    return TABLE_KINDS.get(Path(path).suffix.lower())
 
 
 def read_rows(
