@@ -58,7 +58,17 @@ def test_a_table_needs_only_sites_routes_and_texts(tmp_path: Path) -> None:
     ("content", "message"),
     [
         pytest.param("site,route,text\n", "got the names of columns alone", id="empty"),
-        pytest.param("site,route,words\na,b,c\n", "none called text", id="no texts"),
+        pytest.param(
+            "site,route,words\na,b,c\n",
+            "none called text; its columns are 'site', 'route', 'words'",
+            id="no texts",
+        ),
+        pytest.param("", "none called site, route, text; .* empty", id="no columns"),
+        pytest.param(
+            "site;route;text\na;b;Left, then right.\n",
+            "its only column is 'site;route;text': separate columns by commas",
+            id="semicolons",
+        ),
         pytest.param("site,site,route,text\n", "column 'site' once", id="twice"),
         pytest.param("site,route,text\na,b,c,d\n", "row 2: .*3 cells", id="too many"),
         pytest.param("site,route,text\na,b,\n", "row 2: field 'text'", id="no text"),
@@ -133,6 +143,12 @@ def test_a_table_is_an_instruction_file_by_its_name(
         path = tmp_path / f"told.{kind}"
         write_spreadsheet(path, told, kind)
         assert load_instructions([path]) == told
+    tabs = tmp_path / "told.tsv"
+    tabs.write_text("site\troute\ttext\nloop\tR1\tLeft.\n", "utf-8")
+    with pytest.raises(
+        InstructionFileError, match=r"end in \.csv or \.parquet\n.*:1: "
+    ):
+        load_instructions([tabs])
     path = tmp_path / "wrong.CSV"
     path.write_text("site,route,text\nloop,R1,\nloop,R1,Left.\n", "utf-8")
     with pytest.raises(InstructionFileError, match="row 2: field 'text'"):

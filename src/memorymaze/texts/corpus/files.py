@@ -119,6 +119,9 @@ def read_instruction_file(
             instructions.append(instruction)
         for name in extra:
             unknown.setdefault(name, place)
+    if not instructions and Path(path).suffix.lower() not in TEXT_ENDINGS:
+        said = f"is read as JSONL; tables are files whose names end in {' or '.join(TABLE_KINDS)}"
+        problems.insert(0, InstructionProblem(str(path), said))
     for name, place in unknown.items():
         warn_of_unknown(name, place)
     return instructions, problems

@@ -80,12 +80,6 @@ def read_rows(
         SettingsError: Parquet without the extra `tables`.
     """
     columns, rows = _from_csv(path) if kind == "csv" else _from_parquet(path)
-    missing = [name for name in ("site", "route", "text") if name not in columns]
-    if missing:
-        raise InstructionFileError(
-            f"{path}: expected columns site, route and text, got none called "
-            f"{', '.join(missing)}"
-        )
     for name in columns:
         if name not in FIELDS:
             warn_of_unknown(name, str(path))
@@ -102,6 +96,21 @@ def read_rows(
         problems += [InstructionProblem(place, each) for each in wrong]
         instructions += [] if instruction is None else [instruction]
     return instructions, problems
+
+
+def _check_columns(path: str | Path, columns: Sequence[str]) -> None:
+    missing = [name for name in ("site", "route", "text") if name not in columns]
+    if not missing:
+        return
+    said = f"its columns are {', '.join(map(repr, columns))}"
+    if not columns:
+        said = "the file is empty"
+    elif len(columns) == 1 and ";" in columns[0]:
+        said = f"its only column is {columns[0]!r}: separate columns by commas"
+    raise InstructionFileError(
+        f"{path}: expected columns site, route and text, got none called "
+        f"{', '.join(missing)}; {said}"
+    )
 
 
 def _instruction(
@@ -130,6 +139,7 @@ def _from_csv(path: str | Path) -> tuple[Sequence[str], list[dict[str, Any]]]:
         columns, *lines = list(csv.reader(text, strict=True)) or [[]]
     except csv.Error as error:
         raise InstructionFileError(f"{path}: expected CSV ({error})") from None
+    _check_columns(path, columns)
     for name in columns:
         if columns.count(name) > 1:
             raise InstructionFileError(f"{path}: expected column {name!r} once")
@@ -153,6 +163,8 @@ def _from_parquet(path: str | Path) -> tuple[Sequence[str], list[dict[str, Any]]
     content = io.BytesIO(read_file(path, InstructionFileError))
     try:
         table = pyarrow.parquet.read_table(content)
-        return table.column_names, table.to_pylist()
+        columns, rows = table.column_names, table.to_pylist()
     except (OSError, ValueError) as error:
         raise InstructionFileError(f"{path}: cannot be read ({error})") from None
+    _check_columns(path, columns)
+    return columns, rows
