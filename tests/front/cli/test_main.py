@@ -39,6 +39,30 @@ def test_the_help_of_what_everybody_uses_fits_a_screen(
 
 
 @pytest.mark.parametrize(
+    "command",
+    [
+        pytest.param("evaluate --agent stop --out=", id="out"),
+        pytest.param("evaluate --agent stop --instructions=", id="texts"),
+        pytest.param("evaluate --agent stop --sites=", id="sites"),
+        pytest.param("sites list --sites=", id="sites list"),
+        pytest.param("sites new annex --out=", id="new plan"),
+        pytest.param("navigate university R1 Left. --out=", id="navigate"),
+    ],
+)
+def test_an_empty_path_is_none(
+    memorymaze: Memorymaze,
+    command: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    said = memorymaze(*command.split())
+    assert said.code == 2
+    assert "expected a path, got an empty one" in said.err
+    assert not any(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
     "arguments",
     [
         pytest.param([], id="no verb"),

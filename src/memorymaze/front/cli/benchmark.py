@@ -4,7 +4,7 @@ import argparse
 
 from memorymaze import __version__
 from memorymaze.front.cli import evaluate, table
-from memorymaze.front.cli.verbs import VerbParser, Verbs
+from memorymaze.front.cli.verbs import VerbParser, Verbs, given_path
 
 
 def add_parser(verbs: Verbs) -> None:
@@ -29,6 +29,7 @@ def add_parser(verbs: Verbs) -> None:
     parser.add_argument(
         "--out",
         metavar="DIR",
+        type=given_path,
         help="run folder (default: runs/guide-VERSION; of a limit, -LIMIT after that)",
     )
     parser.set_defaults(run=_run)
@@ -36,7 +37,7 @@ def add_parser(verbs: Verbs) -> None:
 
 def _run(options: argparse.Namespace) -> None:
     limited = [] if options.limit is None else ["--limit", options.limit]
-    out = options.out or "-".join([f"runs/guide-{__version__}", *limited[1:]])
+    out = str(options.out or "-".join([f"runs/guide-{__version__}", *limited[1:]]))
     run = ["--agent", "guide", *limited, "--workers", options.workers, "--out", out]
     commands = argparse.ArgumentParser(prog="memorymaze")
     verbs = commands.add_subparsers(parser_class=VerbParser)

@@ -2,7 +2,7 @@
 
 import argparse
 
-from memorymaze.front.cli.verbs import Verbs, add_exclude_dev
+from memorymaze.front.cli.verbs import Verbs, add_exclude_dev, given_path
 
 
 def add_parser(verbs: Verbs) -> None:
@@ -15,9 +15,15 @@ def add_parser(verbs: Verbs) -> None:
         "success of each beside that of the first.",
         epilog="example: memorymaze compare runs/guide runs/mine",
     )
-    parser.add_argument("first", metavar="A", help="run folder: the baseline")
     parser.add_argument(
-        "others", metavar="B", nargs="+", help="run folders: what is compared with it"
+        "first", metavar="A", type=given_path, help="run folder: the baseline"
+    )
+    parser.add_argument(
+        "others",
+        metavar="B",
+        type=given_path,
+        nargs="+",
+        help="run folders: what is compared with it",
     )
     parser.add_argument(
         "--format",

@@ -20,7 +20,7 @@ from memorymaze.front.cli.agent_options import (
     given_settings,
 )
 from memorymaze.front.cli.flags import add_flags
-from memorymaze.front.cli.verbs import Verbs, add_corpus_options
+from memorymaze.front.cli.verbs import Verbs, add_corpus_options, given_path
 
 if TYPE_CHECKING:
     from memorymaze.runs.episodes.plan import RunPlan
@@ -47,7 +47,10 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
     add_agent_name(what.add_argument, default=None)
     add_flags(parser.add_argument, RunSettings, ["limit"])
     parser.add_argument(
-        "--out", metavar="DIR", help="run folder (default: runs/AGENT-TIME)"
+        "--out",
+        metavar="DIR",
+        type=given_path,
+        help="run folder (default: runs/AGENT-TIME)",
     )
     parser.add_argument(
         "--resume",
@@ -69,6 +72,7 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
     what.add_argument(
         "--suite",
         metavar="FILE",
+        type=given_path,
         help="several runs and their tables, as a file says (docs/command_line.md)",
     )
     followed = parser.add_argument_group("what is followed")
@@ -103,7 +107,7 @@ def _evaluate_agent(options: argparse.Namespace) -> None:
     from memorymaze.runs.episodes.plan import settings_for
     from memorymaze.texts.corpus import load_corpus
 
-    out = Path(options.out or default_folder(options.agent))
+    out: Path = options.out or default_folder(options.agent)
     agent = agent_settings(options)
     corpus = load_corpus(options.instructions, sites=options.sites)
     settings = episode_settings(options, settings_for(corpus))
@@ -135,7 +139,7 @@ def _evaluate_suite(options: argparse.Namespace) -> int:
                 f"--{option}: stands in the file of a suite; leave it out"
             )
     suite = read_suite(options.suite)
-    out = Path(options.out or default_folder(Path(options.suite).stem))
+    out: Path = options.out or default_folder(options.suite.stem)
     with _working(options, out) as how:
         failed = run_suite(suite, out, given=given_settings(options), **how)
     failures = [f"run {name}: {error}" for name, error in failed.items()]

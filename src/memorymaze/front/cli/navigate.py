@@ -15,7 +15,7 @@ from memorymaze.front.cli.agent_options import (
     agent_settings,
     one_episode_settings,
 )
-from memorymaze.front.cli.verbs import Verbs, add_site_and_route, file_stem
+from memorymaze.front.cli.verbs import Verbs, add_site_and_route, file_stem, given_path
 
 if TYPE_CHECKING:
     from memorymaze.runs.story.onlooker import Onlooker
@@ -40,7 +40,10 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("text", metavar="TEXT", help="the instruction")
     add_agent_name(parser.add_argument, default="guide")
     parser.add_argument(
-        "--out", metavar="DIR", help="folder (default: runs/navigate-SITE-ROUTE-TIME)"
+        "--out",
+        metavar="DIR",
+        type=given_path,
+        help="folder (default: runs/navigate-SITE-ROUTE-TIME)",
     )
     add_agent_options(parser)
     add_episode_options(parser)
@@ -69,7 +72,7 @@ def _run(options: argparse.Namespace) -> None:
     settings = one_episode_settings(options)
     site = mm.load_site(options.site)
     route = site.find_route(options.route)
-    folder = Path(options.out or _default_folder(site.name, route.id))
+    folder: Path = options.out or _default_folder(site.name, route.id)
     check_folder(folder)
     onlooker = _onlooker(options)
     # What a user's agent prints is no result.

@@ -4,7 +4,7 @@ import argparse
 import re
 from pathlib import Path
 
-from memorymaze.front.cli.verbs import Verbs, file_stem
+from memorymaze.front.cli.verbs import Verbs, file_stem, given_path
 
 
 def add_parser(verbs: Verbs) -> None:
@@ -18,7 +18,9 @@ def add_parser(verbs: Verbs) -> None:
         epilog="example: memorymaze replay runs/guide onl-university-r1-01-1 "
         "--speed 4 --out walk.mp4",
     )
-    parser.add_argument("run_folder", metavar="RUN", help="a run folder")
+    parser.add_argument(
+        "run_folder", metavar="RUN", type=given_path, help="a run folder"
+    )
     parser.add_argument(
         "episode", metavar="EPISODE", help="id of an episode, as episodes.jsonl has it"
     )
@@ -74,7 +76,7 @@ def _run(options: argparse.Namespace) -> None:
         camera=not options.no_camera,
     )
     name = file_stem(options.episode)
-    folder = Path(options.run_folder, "replays")
+    folder = options.run_folder / "replays"
     recording = options.rerun
     if recording == "":
         recording = str(folder / f"{name}.rrd")

@@ -7,6 +7,7 @@ from memorymaze.front.cli.verbs import (
     Verbs,
     add_exclude_dev,
     add_new_folder,
+    given_path,
     shown_progress,
 )
 
@@ -22,7 +23,9 @@ def add_parser(verbs: Verbs) -> None:
         "replay. They open from the disk, without server or network.",
         epilog="example: memorymaze report runs/guide runs/mine --out report",
     )
-    parser.add_argument("runs", metavar="RUN", nargs="+", help="run folders")
+    parser.add_argument(
+        "runs", metavar="RUN", type=given_path, nargs="+", help="run folders"
+    )
     add_new_folder(parser, "report")
     add_exclude_dev(parser)
     parser.set_defaults(run=_run)

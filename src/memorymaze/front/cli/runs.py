@@ -8,6 +8,7 @@ from memorymaze.front.cli.verbs import (
     Verbs,
     add_corpus_options,
     add_new_folder,
+    given_path,
     shown_progress,
 )
 
@@ -37,7 +38,7 @@ def _add_check(actions: Verbs) -> None:
         "code 1 where it cannot stand on a leaderboard.",
         epilog="example: memorymaze runs check runs/guide",
     )
-    parser.add_argument("folder", metavar="RUN", help="run folder")
+    parser.add_argument("folder", metavar="RUN", type=given_path, help="run folder")
     _add_texts(parser)
     parser.set_defaults(run=_check)
 
@@ -78,7 +79,9 @@ def _add_leaderboard(actions: Verbs) -> None:
         "apart, and says why the others cannot.",
         epilog="example: memorymaze runs leaderboard runs --out leaderboard",
     )
-    parser.add_argument("folder", metavar="DIR", help="folder of run folders")
+    parser.add_argument(
+        "folder", metavar="DIR", type=given_path, help="folder of run folders"
+    )
     add_new_folder(parser, "leaderboard")
     _add_texts(parser)
     parser.set_defaults(run=_leaderboard)

@@ -2,9 +2,8 @@
 
 import argparse
 import json
-from pathlib import Path
 
-from memorymaze.front.cli.verbs import Verbs
+from memorymaze.front.cli.verbs import Verbs, given_path
 
 
 def add_parser(verbs: Verbs) -> None:
@@ -21,7 +20,7 @@ def add_parser(verbs: Verbs) -> None:
     parser.add_argument(
         "--cases",
         metavar="FILE",
-        type=Path,
+        type=given_path,
         required=True,
         help="JSON file with `graphs` and `cases`; see docs/metrics.md",
     )

@@ -4,7 +4,7 @@ import argparse
 import textwrap
 from collections.abc import Iterator, Sequence
 
-from memorymaze.front.cli.verbs import Verbs
+from memorymaze.front.cli.verbs import Verbs, given_path
 
 WIDTH = 88
 
@@ -25,6 +25,7 @@ def add_parser(verbs: Verbs) -> None:
     parser.add_argument(
         "--of",
         metavar="RUN",
+        type=given_path,
         help="write the settings of this run folder as a file for --settings",
     )
     parser.set_defaults(run=_run)

@@ -10,7 +10,7 @@ from memorymaze.front.cli.sites_edit import add_edit
 from memorymaze.front.cli.sites_export import add_export
 from memorymaze.front.cli.sites_film import add_film
 from memorymaze.front.cli.sites_import import add_import
-from memorymaze.front.cli.verbs import Verbs, add_plan
+from memorymaze.front.cli.verbs import Verbs, add_plan, given_path
 
 if TYPE_CHECKING:
     from memorymaze.world.sites import Site
@@ -50,7 +50,7 @@ def _add_list(verbs: Verbs) -> None:
     parser.add_argument(
         "--sites",
         metavar="DIR",
-        type=Path,
+        type=given_path,
         help="a folder with plans (*.geojson); without it, the benchmark's own sites",
     )
     parser.set_defaults(run=_list)
@@ -67,7 +67,10 @@ def _add_new(verbs: Verbs) -> None:
     )
     parser.add_argument("name", metavar="NAME", help="what instructions will call it")
     parser.add_argument(
-        "--out", metavar="FILE", help="file to write (default: NAME.geojson)"
+        "--out",
+        metavar="FILE",
+        type=given_path,
+        help="file to write (default: NAME.geojson)",
     )
     parser.set_defaults(run=_new)
 
@@ -105,7 +108,11 @@ def _add_generate_options(parser: argparse.ArgumentParser) -> None:
         help="buildings of each kind, with seeds N, N+1, … (default: 1)",
     )
     parser.add_argument(
-        "--out", metavar="DIR", type=Path, required=True, help="folder to write into"
+        "--out",
+        metavar="DIR",
+        type=given_path,
+        required=True,
+        help="folder to write into",
     )
 
 
@@ -140,7 +147,7 @@ def _add_draw(verbs: Verbs) -> None:
     parser.add_argument(
         "--out",
         metavar="FILE",
-        type=Path,
+        type=given_path,
         help="file to write: .png, .svg or .pdf (default: the site's name.png)",
     )
     parser.add_argument(
@@ -157,7 +164,7 @@ def _new(args: argparse.Namespace) -> None:
     from memorymaze.world.sites.loading import new_plan
 
     plan = new_plan(args.name)
-    out = Path(args.out or f"{args.name}.geojson")
+    out = args.out or Path(f"{args.name}.geojson")
     out.parent.mkdir(parents=True, exist_ok=True)
     write_new(out, plan)
     print(out)

@@ -8,7 +8,7 @@ from memorymaze.front.cli.served_page import (
     check_can_serve,
     serve,
 )
-from memorymaze.front.cli.verbs import Verbs
+from memorymaze.front.cli.verbs import Verbs, given_path
 
 PICTURES = (".png", ".jpg", ".jpeg", ".webp", ".svg")
 
@@ -28,12 +28,12 @@ def add_edit(verbs: Verbs) -> None:
 
 def _add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
-        "plan", metavar="FILE", type=Path, help="a plan, there or not yet"
+        "plan", metavar="FILE", type=given_path, help="a plan, there or not yet"
     )
     parser.add_argument(
         "--picture",
         metavar="FILE",
-        type=Path,
+        type=given_path,
         help="picture of a floor plan to trace over (it stays on this machine)",
     )
     add_port(parser)

@@ -4,7 +4,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from memorymaze.front.cli.verbs import Verbs, add_plan
+from memorymaze.front.cli.verbs import Verbs, add_plan, given_path
 
 
 def add_export(verbs: Verbs) -> None:
@@ -30,7 +30,7 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--out",
         metavar="PATH",
-        type=Path,
+        type=given_path,
         help="file or folder to make, which must not be there (default: the site's name "
         "with what the format's files end in)",
     )

@@ -3,7 +3,7 @@
 import argparse
 
 from memorymaze.front.cli.replay import picture_size
-from memorymaze.front.cli.verbs import Verbs, add_site_and_route, file_stem
+from memorymaze.front.cli.verbs import Verbs, add_site_and_route, file_stem, given_path
 
 
 def add_film(actions: Verbs) -> None:
@@ -17,7 +17,10 @@ def add_film(actions: Verbs) -> None:
     )
     add_site_and_route(parser)
     parser.add_argument(
-        "--out", metavar="FILE", help="video (default: walkthrough-SITE-ROUTE.mp4)"
+        "--out",
+        metavar="FILE",
+        type=given_path,
+        help="video (default: walkthrough-SITE-ROUTE.mp4)",
     )
     parser.add_argument(
         "--panorama",

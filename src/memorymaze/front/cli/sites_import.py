@@ -6,7 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from memorymaze.basics.wording import counted
-from memorymaze.front.cli.verbs import Verbs
+from memorymaze.front.cli.verbs import Verbs, given_path
 from memorymaze.world.importing import SOURCE_FORMATS, import_site
 
 DONE, FAILED = 0, 1
@@ -26,7 +26,7 @@ def add_import(verbs: Verbs) -> None:
         "tests/world/importing/data/quay_house_MapData.geojson --from cabot --floor 2F "
         '--route Elevator "Rope Workshop" --out quay_house.geojson',
     )
-    parser.add_argument("file", metavar="FILE", type=Path, help="what to import")
+    parser.add_argument("file", metavar="FILE", type=given_path, help="what to import")
     parser.add_argument(
         "--from",
         dest="format",
@@ -54,7 +54,7 @@ def add_import(verbs: Verbs) -> None:
     parser.add_argument(
         "--out",
         metavar="FILE",
-        type=Path,
+        type=given_path,
         required=True,
         help="plan to write (*.geojson)",
     )

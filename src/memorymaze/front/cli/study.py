@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 from memorymaze.basics.wording import counted
 from memorymaze.front.cli.served_page import check_can_serve
-from memorymaze.front.cli.verbs import Verbs
+from memorymaze.front.cli.verbs import Verbs, given_path
 
 if TYPE_CHECKING:
     from memorymaze.web.serving.web import Certificate
@@ -169,6 +169,7 @@ def _add_export(actions: Verbs) -> None:
     parser.add_argument(
         "--out",
         metavar="PATH",
+        type=given_path,
         required=True,
         help="instruction file to write (*.jsonl); the CSV file has its name. Of the "
         "kind follow, run folder to make",

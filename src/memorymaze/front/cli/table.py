@@ -1,9 +1,8 @@
 """`memorymaze table`: the paper's Tables II and III from runs."""
 
 import argparse
-from pathlib import Path
 
-from memorymaze.front.cli.verbs import Verbs, add_exclude_dev
+from memorymaze.front.cli.verbs import Verbs, add_exclude_dev, given_path
 
 
 def add_parser(verbs: Verbs) -> None:
@@ -23,7 +22,9 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
     from memorymaze.runs.tables import TABLES
 
     shown = [f"{name}: {question.shows}" for name, question in TABLES.items()]
-    parser.add_argument("runs", metavar="RUN", nargs="+", help="run folders")
+    parser.add_argument(
+        "runs", metavar="RUN", type=given_path, nargs="+", help="run folders"
+    )
     parser.add_argument(
         "--table",
         choices=[*TABLES, "both"],
@@ -38,7 +39,10 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
         "(default: text)",
     )
     parser.add_argument(
-        "--out", metavar="FILE", help="write to a file (Parquet: needed)"
+        "--out",
+        metavar="FILE",
+        type=given_path,
+        help="write to a file (Parquet: needed)",
     )
     add_exclude_dev(parser)
     parser.add_argument(
@@ -62,14 +66,12 @@ def _run(options: argparse.Namespace) -> None:
     if options.format == "parquet" and options.out is None:
         raise SettingsError("--format parquet: name the file to write with --out")
     if options.out is not None:
-        check_no_input(
-            options.out, [f for run in options.runs for f in Path(run).glob("*")]
-        )
+        check_no_input(options.out, [f for run in options.runs for f in run.glob("*")])
     absent = dict(given_options(options.absent, "--absent"))
     runs = load_runs(options.runs, exclude_dev=options.exclude_dev)
     content = write_tables(run_tables(runs, options.table, absent), options.format)
     if options.out is None:
         print(content.decode(), end="")
     else:
-        write_whole(Path(options.out), content)
+        write_whole(options.out, content)
         print(options.out)

@@ -3,8 +3,9 @@
 import contextlib
 import re
 import sys
-from argparse import ArgumentParser, Namespace
+from argparse import ArgumentParser, ArgumentTypeError, Namespace
 from collections.abc import Callable, Generator, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 from urllib.parse import quote
 
@@ -57,11 +58,21 @@ class Verbs(Protocol):
         ...
 
 
+def given_path(text: str) -> Path:
+    """Read an argument that names a file or a folder; an empty one would be the folder here."""
+    if not text:
+        raise ArgumentTypeError(
+            "expected a path, got an empty one; name a file or folder"
+        )
+    return Path(text)
+
+
 def add_sites_option(parser: "ArgumentParser | _ArgumentGroup") -> None:
     """Add `--sites`, of verbs that look at buildings."""
     parser.add_argument(
         "--sites",
         metavar="DIR",
+        type=given_path,
         help="folder of site plans (default: the three shipped ones)",
     )
 
@@ -77,13 +88,15 @@ def add_corpus_options(
     parser: "ArgumentParser | _ArgumentGroup", texts: str = TEXTS_OR_FOLDER
 ) -> None:
     """Add `--instructions` and `--sites`, of verbs that take a corpus."""
-    parser.add_argument("--instructions", metavar="FILE", nargs="+", help=texts)
+    parser.add_argument(
+        "--instructions", metavar="FILE", type=given_path, nargs="+", help=texts
+    )
     add_sites_option(parser)
 
 
 def add_files(parser: ArgumentParser) -> None:
     """Add instruction files, of verbs that take the shipped texts where there are none."""
-    parser.add_argument("files", metavar="FILE", nargs="*", help=TEXTS)
+    parser.add_argument("files", metavar="FILE", type=given_path, nargs="*", help=TEXTS)
 
 
 def add_plan(parser: ArgumentParser) -> None:
@@ -115,7 +128,11 @@ def add_exclude_dev(parser: ArgumentParser) -> None:
 def add_new_folder(parser: ArgumentParser, what: str) -> None:
     """Add `--out` and `--overwrite`, of verbs that make a folder of pages."""
     parser.add_argument(
-        "--out", metavar="DIR", required=True, help="folder to make; not there yet"
+        "--out",
+        metavar="DIR",
+        type=given_path,
+        required=True,
+        help="folder to make; not there yet",
     )
     parser.add_argument(
         "--overwrite",

@@ -4,7 +4,7 @@ import argparse
 import sys
 
 from memorymaze.basics.wording import counted
-from memorymaze.front.cli.verbs import Verbs, add_sites_option
+from memorymaze.front.cli.verbs import Verbs, add_sites_option, given_path
 
 
 def add_parser(actions: Verbs) -> None:
@@ -24,6 +24,7 @@ def add_parser(actions: Verbs) -> None:
     parser.add_argument(
         "--instructions",
         metavar="FILE",
+        type=given_path,
         help="what was labelled (default: the shipped texts)",
     )
     parser.add_argument(

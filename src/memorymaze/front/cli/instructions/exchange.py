@@ -1,10 +1,9 @@
 """`memorymaze instructions export|import`: to and from other formats."""
 
 import argparse
-from pathlib import Path
 
 from memorymaze.basics.wording import counted
-from memorymaze.front.cli.verbs import Verbs, add_files, add_sites_option
+from memorymaze.front.cli.verbs import Verbs, add_files, add_sites_option, given_path
 
 FORMATS = {
     "r2r": "Room-to-Room: R2R_SPLIT.json with the navigation graphs beside it",
@@ -28,6 +27,7 @@ def add_parser(actions: Verbs) -> None:
     outward.add_argument(
         "--out",
         metavar="PATH",
+        type=given_path,
         required=True,
         help="folder; a file for csv and parquet",
     )
@@ -83,7 +83,7 @@ def _export(options: argparse.Namespace) -> None:
     if options.format == "hub":
         written = write_hub_folder(options.out)
     elif options.format in {"csv", "parquet"}:
-        written = [Path(options.out)]
+        written = [options.out]
         write_spreadsheet(options.out, read, options.format)
     else:
         write = write_r2r if options.format == "r2r" else write_vln_ce
