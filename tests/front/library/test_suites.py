@@ -122,6 +122,11 @@ def test_a_run_that_fails_does_not_lose_the_others(
     [
         ('agent = "oracle"', "agent = 3", r":15: field 'runs\[1\].agent': expected"),
         ('name = "perfect"', 'name = "nowhere"', "expected names that differ"),
+        (
+            'name = "perfect"',
+            'name = "guide v2"',
+            r"'runs\[1\].name': expected letters, digits, _ and -, got 'guide v2'",
+        ),
         ('tables = ["II", "compare"]', 'tables = ["IV"]', ":2: .*got 'IV'"),
         ("seed = 3", "sed = 3", ":16: sed: expected the name of a setting.*'seed'"),
         ("seed = 3", 'seed = "x"', ":16: seed: expected a whole number, got 'x'"),

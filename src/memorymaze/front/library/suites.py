@@ -7,7 +7,7 @@
     limit = 60
 
     [[runs]]
-    name = "guide_plans"                # its folder
+    name = "guide_plans"                # its folder: letters, digits, _ and -
     agent = "guide"
     set = {reader = "model"}            # options of the agent
     replay = "recorded/plans.jsonl"     # and any setting by its name
@@ -19,12 +19,13 @@ Files are seen from the folder of the suite. Settings of a language model reach 
 agents ask one. `answered_in` names a file of answers: the shipped texts that it is about.
 """
 
+import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Annotated, Any
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field
 
 from memorymaze.basics.durable_files import write_whole
 from memorymaze.basics.errors import (
@@ -84,8 +85,14 @@ class _Defaults(BaseModel):
     sites: str | None = None
 
 
+def _name_of_folder(name: str) -> str:
+    if re.fullmatch(r"[\w-]+", name) is None:
+        raise ValueError("expected letters, digits, _ and -")
+    return name
+
+
 class _RunEntry(_Defaults):
-    name: Annotated[str, Field(pattern=r"^[\w-]+$")]
+    name: Annotated[str, AfterValidator(_name_of_folder)]
     agent: str
 
 
