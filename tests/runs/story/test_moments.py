@@ -86,6 +86,21 @@ def test_of_a_program_the_line_that_makes_the_call_is_shown() -> None:
     assert step.lines[step.current or 0] == "turn('left')"
 
 
+def test_the_line_of_a_program_is_that_of_the_call_that_goes_on() -> None:
+    program = "move_forward(2)\nturn('left')\nstop()"
+    moments = moments_of(
+        NoteEntry(0, "program", {"program": program}),
+        # A call stands in the trace at the time at which it ended.
+        CallEntry(2, (2, 0, 3.0), "move_forward", {"distance": 2}, None),
+        CallEntry(4, (2, 0, -3.0), "turn", {"direction": "left"}, None),
+    )
+    at_work = [moments.at(time).step for time in (1.0, 3.0)]
+    assert [step.lines[step.current or 0] for step in at_work] == [
+        "move_forward(2)",
+        "turn('left')",
+    ]
+
+
 def test_agents_without_plan_show_their_latest_thought() -> None:
     events = [
         Event(1, "note", "thought: left looks right", 0),

@@ -100,6 +100,12 @@ class Moments:
         """Return what there is to see at a moment, simulated seconds."""
         passed = bisect_right(self._entry_times, time + 1e-6)
         last = self._entry_numbers[passed - 1] if passed else -1
+        understanding = self.story.understanding
+        if understanding.programs:
+            # A call stands in the trace once it is over: the one at hand is the next.
+            last = min(
+                (each for each in understanding.marks if each > last), default=last
+            )
         happened = bisect_right(self._event_times, time + 1e-6)
         events = self._events[:happened]
         return Moment(
@@ -110,7 +116,7 @@ class Moments:
                 wrap_angle(float(np.interp(time, self._times, self._headings))),
             ),
             walked=int(np.searchsorted(self._times, time, side="right")),
-            step=step_of(self.story.understanding, last, events),
+            step=step_of(understanding, last, events),
             events=events,
             people={
                 name: _on_walk(walk, time) for name, walk in self.story.people.items()
