@@ -87,7 +87,7 @@ def test_intervals_that_tell_nothing_are_said_in_words() -> None:
     lines = table(*rows).markdown().splitlines()
     assert [line.split(" | ")[2] for line in lines if line.startswith("| R1")] == [
         "2.2 (too few)",
-        "2.2 (all equal)",
+        "2.2 (no spread)",
         "2.2",
         "-",
         "3.0 (within 0.1)",

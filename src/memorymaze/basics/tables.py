@@ -55,7 +55,7 @@ class Column:
     """Whether a plus is written too."""
     interval: tuple[str, str] | None = None
     """Fields of the ends between which the true value probably lies. Where they are None
-    or equal, nothing can be told of that; the cell says so: `too few`, `all equal`. So it
+    or equal, nothing can be told of that; the cell says so: `too few`, `no spread`. So it
     does where they differ by less than is shown: `within 0.01`."""
     better: Literal["higher", "lower"] | None = None
     """Which of two values is the better one; LaTeX sets the best in bold."""
@@ -86,7 +86,7 @@ class Column:
         if None in ends:
             return f"{shown} (too few)"
         if ends[0] == ends[1]:
-            return f"{shown} (all equal)"
+            return f"{shown} (no spread)"
         low, high = map(self._written, ends)
         if low == high:
             return f"{shown} (within {10 ** -(self.digits or 0):g})"

@@ -167,7 +167,7 @@ def test_one_person_allows_no_test_and_equal_values_no_interval(
         write("d", [result(name, spd=9.0) for name in names]),
     ]
     text = paired_table(load_runs(several), COMPARISON).text()
-    assert "+8.00 (all equal)" in text
+    assert "+8.00 (no spread)" in text
     assert "too few" not in text
 
 

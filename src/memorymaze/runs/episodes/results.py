@@ -144,7 +144,7 @@ def site_turns_taken(site: Site, walk: Trajectory) -> list[TurnAtPlace]:
 def route_turns_in_order(site: Site, route: Route, walk: Trajectory) -> float:
     """Return the share of a route's turns that a walk took, in their order.
 
-    Slight and sharp turns count as left or right. 1 for a route without turns.
+    Slight turns count as left or right. 1 for a route without turns.
     """
     wanted = [
         TurnAtPlace(turn.at, "left" if turn.direction.endswith("left") else "right")

@@ -66,7 +66,8 @@ def _plots(run: ReportRun, study: str) -> ConfidencePlots | None:
 
 def _risk_line(confidences: Sequence[float], outcomes: Sequence[bool]) -> str:
     risks = risk_coverage(confidences, outcomes)
+    # The first risk holds from no coverage on, so that one episode has a line as well.
     return path_data([
         (100 * number / len(risks), 100 * risk)
-        for number, risk in enumerate(risks, start=1)
+        for number, risk in enumerate([risks[0], *risks])
     ])

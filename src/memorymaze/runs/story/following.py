@@ -24,8 +24,6 @@ WAYS = {
     "right": "turn right",
     "slight_left": "turn slightly left",
     "slight_right": "turn slightly right",
-    "sharp_left": "turn sharply left",
-    "sharp_right": "turn sharply right",
 }
 SAMPLE = 0.1
 """Metres between the places of a way that are looked at."""
@@ -166,7 +164,7 @@ def decisions_of(site: Site, route: Route) -> list[Decision]:
     decisions: list[Decision] = []
     for number, ((enter, leave), place) in enumerate(passed, start=1):
         wanted = turns.get(place.id)
-        way = WAYS.get(wanted.pop(0), "turn") if wanted else "go straight on"
+        way = WAYS[wanted.pop(0)] if wanted else "go straight on"
         decisions.append(Decision(number, place.id, _title(place), way, enter, leave))
     return decisions
 

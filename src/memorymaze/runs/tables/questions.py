@@ -33,8 +33,8 @@ from memorymaze.runs.tables.runs import MeasuredRun, run_notes, studies_of
 NO_INTERVAL = {
     "(too few)": "too few: fewer than two participants on the same routes (SAIL: fewer "
     "than two paragraphs), so no interval can be told and no test made.",
-    "(all equal)": "all equal: every value is the same, so the bootstrap finds no "
-    "spread; that does not make it certain.",
+    "(no spread)": "no spread: on each route all participants have the same value, or "
+    "there is one alone, so the bootstrap finds none; that does not make it certain.",
 }
 """What stands in cells instead of an interval, and what it means."""
 VERSIONS = frozenset({"agent file", "agent option"})

@@ -194,7 +194,7 @@ def agreement_table(found: Sequence[Agreement], annotators: Sequence[str]) -> Ta
         ),
         "too few: drawn again, the texts often have one answer alone, so no interval can "
         "be told": any(kappa is not None and low is None for kappa, low, _ in kappas),
-        "all equal: every draw of texts gives the same kappa; that does not make it "
+        "no spread: every draw of texts gives the same kappa; that does not make it "
         "certain": any(low is not None and low == high for _, low, high in kappas),
     }
     return Table(

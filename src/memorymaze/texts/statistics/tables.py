@@ -280,6 +280,11 @@ def _all_sites(study: InstructionStudy) -> tuple[Row, ...]:
     return tuple(study.rows("per_text", "study", "iteration", place=ALL_SITES))
 
 
+def _quartiles(row: Row) -> str:
+    # These are no interval that something is uncertain within.
+    return f"{row['median']:.2f} [{row['low']:.2f}, {row['high']:.2f}]"
+
+
 def _distances(study: InstructionStudy) -> Table:
     return Table(
         "Stated distances over true ones",
@@ -288,7 +293,12 @@ def _distances(study: InstructionStudy) -> Table:
             Column("key", "unit", "label"),
             Column("legs", "legs"),
             Column("texts", "texts"),
-            Column("median", "median [quartiles]", digits=2, interval=("low", "high")),
+            Column(
+                "median",
+                "median [quartiles]",
+                interval=("low", "high"),
+                show=_quartiles,
+            ),
             Column("factor", "spread factor", digits=2),
         ),
         tuple(study.rows("stated_distances", "study", "key")),
