@@ -12,7 +12,13 @@ from typing import Any
 import pytest
 
 from memorymaze.basics.errors import LanguageModelError, SettingsError
-from memorymaze.language.models.model import CompletionRequest, Message, Picture, Usage
+from memorymaze.language.models.model import (
+    CompletionRequest,
+    Message,
+    Picture,
+    UnusableReplyError,
+    Usage,
+)
 from memorymaze.language.models.openai_model import OpenAIModel
 from memorymaze.language.models.spending import PricedModel, TokenPrice
 
@@ -347,6 +353,23 @@ def test_every_failure_is_one_line_with_its_cause(answer: object, message: str):
 
     assert str(caught.value).startswith(f"language model small at {server.url} ")
     assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    "answer",
+    [
+        reply(None),
+        reply(choices=[]),
+        reply("x" * 200_001),
+        refusal("I cannot help with that."),
+    ],
+    ids=["no text", "no choice", "endless", "refused"],
+)
+def test_an_answer_that_is_no_reply_says_what_it_cost(answer: object):
+    with Server(answer) as server, pytest.raises(UnusableReplyError) as caught:
+        server.model().complete(REQUEST)
+
+    assert caught.value.usage == Usage(1000, 200)
 
 
 def test_what_would_fail_again_is_not_tried_again():

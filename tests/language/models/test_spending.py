@@ -7,7 +7,12 @@ from pathlib import Path
 import pytest
 
 from memorymaze.basics.errors import LanguageModelError, SpendingLimitReached
-from memorymaze.language.models.model import CompletionRequest, Message, Usage
+from memorymaze.language.models.model import (
+    CompletionRequest,
+    Message,
+    UnusableReplyError,
+    Usage,
+)
 from memorymaze.language.models.scripted_model import ScriptedLanguageModel
 from memorymaze.language.models.spending import (
     Ledger,
@@ -68,6 +73,22 @@ def test_failures_cost_nothing_that_is_known(tmp_path: Path) -> None:
         with pytest.raises(LanguageModelError):
             model.complete(REQUEST)
     assert ledger.spent() == Spent(0, 0.0)
+
+
+def test_an_answer_that_is_no_reply_is_paid_for() -> None:
+    class Wordless(ScriptedLanguageModel):
+        def complete(self, request: CompletionRequest):
+            raise UnusableReplyError("nothing but thoughts", Usage(1000, 4096))
+
+    priced = PricedModel(Wordless([]), TokenPrice(1.0, 10.0))
+    ledger = Ledger(None)
+    model = LimitedModel(priced, ledger, max_cost=0.05)
+    for _ in range(2):
+        with pytest.raises(UnusableReplyError, match="nothing but thoughts"):
+            model.complete(REQUEST)
+    assert ledger.spent() == Spent(2 * 5096, pytest.approx(2 * 0.04196))
+    with pytest.raises(SpendingLimitReached, match=r"0\.0839 USD are spent, of 0\.05"):
+        model.complete(REQUEST)
 
 
 def test_a_server_that_counts_nothing_cannot_be_limited(tmp_path: Path) -> None:

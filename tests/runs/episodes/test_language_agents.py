@@ -198,6 +198,18 @@ def test_a_run_ends_when_its_money_is_spent_and_goes_on_with_more(
     assert {one.stopped_by for one in everything} <= {"agent", "budget", "stuck"}
 
 
+def test_a_run_ends_too_when_its_money_goes_for_answers_without_text(
+    chat_server: Callable[..., tuple[str, Any]],
+    plan: Callable[..., RunPlan],
+    tmp_path: Path,
+) -> None:
+    server, requests = chat_server(lambda _: " ", model="m", tokens=(1000, 4096))
+    agent = _asking(server, price=TokenPrice(1, 10), max_cost=0.05)
+    with pytest.raises(SpendingLimitReached, match=r"0\.0839 .* 2 of 12 episodes"):
+        run_plan(plan(agent, 12), tmp_path / "run", workers=1)
+    assert len(requests) == 2
+
+
 def test_tokens_are_limited_without_a_price(
     server: str, plan: Callable[..., RunPlan], tmp_path: Path
 ) -> None:

@@ -20,6 +20,7 @@ from memorymaze.language.models.model import (
     Completion,
     CompletionRequest,
     Message,
+    UnusableReplyError,
     Usage,
 )
 
@@ -112,9 +113,11 @@ class GgufModel:
             raise self._failure(f"failed: {error}") from error
         latency = time.monotonic() - began
         text = str(answer["choices"][0]["text"])
-        if not text.strip():
-            raise self._failure("sent an answer without text in it")
         usage = Usage(len(tokens), int(answer["usage"]["completion_tokens"]))
+        if not text.strip():
+            raise UnusableReplyError(
+                f"language model {self._name} sent an answer without text in it", usage
+            )
         return Completion(text=text, model=self._name, usage=usage, latency=latency)
 
     def _loaded(self) -> Any:

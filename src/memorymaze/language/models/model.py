@@ -4,6 +4,8 @@ import io
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal, Protocol
 
+from memorymaze.basics.errors import LanguageModelError
+
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
@@ -98,6 +100,15 @@ class Usage:
     completion_tokens: int = 0
     cost_usd: float | None = None
     """None where no price is known."""
+
+
+class UnusableReplyError(LanguageModelError):
+    """A model's answer is no reply, and cost what one does."""
+
+    def __init__(self, message: str, usage: Usage) -> None:
+        """Keep what the answer cost, as far as the server tells."""
+        super().__init__(message)
+        self.usage = usage
 
 
 @dataclass(frozen=True, slots=True)

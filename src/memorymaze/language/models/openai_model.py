@@ -16,6 +16,7 @@ from memorymaze.language.models.model import (
     MOST_TOKENS,
     Completion,
     CompletionRequest,
+    UnusableReplyError,
     Usage,
     why_unusable,
 )
@@ -112,7 +113,9 @@ class OpenAIModel:
                     self._fail(error, attempt + 1)
             except (ValueError, RecursionError) as error:
                 # The server said it sent JSON and did not.
-                raise self._unusable(f"not JSON ({one_line(error)})") from error
+                raise self._unusable(
+                    f"not JSON ({one_line(error)})", Usage()
+                ) from error
             attempt += 1
             time.sleep(delay)
 
@@ -190,9 +193,11 @@ class OpenAIModel:
 
     def _read(self, answer: Any, latency: float) -> Completion:
         """Return the reply in a server's answer."""
+        # First, since an answer without a reply has its price too.
+        usage = self._usage(getattr(answer, "usage", None))
         choices = getattr(answer, "choices", None)
         if not isinstance(choices, list) or not choices:
-            raise self._unusable("without a choice in it")
+            raise self._unusable("without a choice in it", usage)
         message = getattr(choices[0], "message", None)
         text: Any = getattr(message, "content", None)
         wrong = why_unusable(
@@ -201,29 +206,31 @@ class OpenAIModel:
             getattr(message, "refusal", None),
         )
         if wrong is not None:
-            raise self._unusable(wrong)
-        usage = getattr(answer, "usage", None)
-        prompt, completion = (
-            self._count(usage, name) for name in ("prompt_tokens", "completion_tokens")
-        )
+            raise self._unusable(wrong, usage)
         model = getattr(answer, "model", None)
         return Completion(
             text=text,
             model=model if isinstance(model, str) and model else self._model,
-            usage=Usage(prompt, completion),
+            usage=usage,
             latency=latency,
         )
 
-    def _unusable(self, what: str) -> LanguageModelError:
-        return LanguageModelError(f"{self._who} sent an answer {what}")
+    def _unusable(self, what: str, usage: Usage) -> UnusableReplyError:
+        return UnusableReplyError(f"{self._who} sent an answer {what}", usage)
 
-    def _count(self, usage: Any, name: str) -> int:
+    def _usage(self, told: Any) -> Usage:
+        prompt, completion = (
+            self._count(told, name) for name in ("prompt_tokens", "completion_tokens")
+        )
+        return Usage(prompt, completion)
+
+    def _count(self, told: Any, name: str) -> int:
         """Return how many tokens a server counts; 0 where it does not tell."""
-        count = getattr(usage, name, None)
+        count = getattr(told, name, None)
         if count is None:
             return 0
         if type(count) is not int or not 0 <= count <= MOST_TOKENS:
-            raise self._unusable(f"that counts {count!r:.30} {name}")
+            raise self._unusable(f"that counts {count!r:.30} {name}", Usage())
         return count
 
 

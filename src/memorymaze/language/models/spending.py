@@ -16,6 +16,7 @@ from memorymaze.language.models.model import (
     Completion,
     CompletionRequest,
     LanguageModel,
+    UnusableReplyError,
     Usage,
     WrappedModel,
 )
@@ -71,10 +72,16 @@ class PricedModel(WrappedModel):
 
     def complete(self, request: CompletionRequest) -> Completion:
         """Return the model's reply with its cost."""
-        completion = self._model.complete(request)
-        usage = completion.usage
+        try:
+            completion = self._model.complete(request)
+        except UnusableReplyError as unusable:
+            unusable.usage = self._priced(unusable.usage)
+            raise
+        return replace(completion, usage=self._priced(completion.usage))
+
+    def _priced(self, usage: Usage) -> Usage:
         cost = self._price.cost(usage.prompt_tokens, usage.completion_tokens)
-        return replace(completion, usage=replace(usage, cost_usd=cost))
+        return replace(usage, cost_usd=cost)
 
 
 class Spent(NamedTuple):
@@ -165,7 +172,11 @@ class LimitedModel(WrappedModel):
                 f"{spent.tokens} tokens are used, of {self.max_tokens} allowed with "
                 "max_tokens_total"
             )
-        completion = self._model.complete(request)
+        try:
+            completion = self._model.complete(request)
+        except UnusableReplyError as unusable:
+            self.ledger.add(unusable.usage)
+            raise
         self.ledger.add(completion.usage)
         if not completion.usage.completion_tokens:
             raise SpendingLimitReached(
