@@ -227,6 +227,17 @@ def test_a_replay_is_paid_for_at_another_price(
     assert _first(plan(agent)).cost_usd == 1.0
 
 
+def test_what_is_kept_counts_at_the_price_of_the_run_that_takes_it(
+    server: str, plan: Callable[..., RunPlan], tmp_path: Path
+) -> None:
+    replies = str(tmp_path / "replies.jsonl")
+    costs = [
+        _first(plan(_asking(server, record=replies, price=price))).cost_usd
+        for price in (None, TokenPrice(10_000, 0), TokenPrice(20_000, 0))
+    ]
+    assert costs == [0.0, 1.0, 2.0]
+
+
 OWN = """
 from memorymaze.language.models.model import CompletionRequest, Message, ModelQuestion
 

@@ -36,7 +36,10 @@ def build_language_model(settings: ModelSettings) -> LanguageModel:
     else:
         model = _server(settings, settings.model)
     model = _limited(settings, _priced(settings, model))
-    return model if settings.record is None else RecordingModel(model, settings.record)
+    if settings.record is None:
+        return model
+    # What is kept may have been recorded at another price.
+    return _priced(settings, RecordingModel(model, settings.record))
 
 
 def _server(settings: ModelSettings, name: str) -> LanguageModel:
