@@ -198,6 +198,19 @@ def test_a_run_ends_when_its_money_is_spent_and_goes_on_with_more(
     assert {one.stopped_by for one in everything} <= {"agent", "budget", "stuck"}
 
 
+def test_a_limit_holds_for_what_was_spent_before_it_was_given(
+    server: str, plan: Callable[..., RunPlan], tmp_path: Path
+) -> None:
+    priced: dict[str, Any] = {"price": TokenPrice(1000, 2000)}
+    run_plan(plan(_asking(server, **priced), 2), tmp_path / "run", workers=1)
+    results = tmp_path / "run" / "episodes.jsonl"
+    first = results.read_text(encoding="utf-8").splitlines(keepends=True)[0]
+    results.write_text(first, encoding="utf-8")
+    limited = plan(_asking(server, **priced, max_cost=0.28), 2)
+    with pytest.raises(SpendingLimitReached, match=r"0\.2800 USD .* 1 of 2 episodes"):
+        run_plan(limited, tmp_path / "run", workers=1, resume=True)
+
+
 def test_a_run_ends_too_when_its_money_goes_for_answers_without_text(
     chat_server: Callable[..., tuple[str, Any]],
     plan: Callable[..., RunPlan],

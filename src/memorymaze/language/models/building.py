@@ -69,11 +69,10 @@ def _limited(settings: ModelSettings, model: LanguageModel) -> LanguageModel:
     shared = None if folder is None else Path(folder)
     if settings.max_requests is not None and shared is not None:
         model = QueuedModel(model, shared / "requests.lock", settings.max_requests)
-    if settings.max_cost is not None or settings.max_tokens_total is not None:
-        ledger = Ledger(None if shared is None else shared / "spending.jsonl")
-        most = settings.max_tokens_total
-        model = LimitedModel(model, ledger, settings.max_cost, most)
-    return model
+    # Without limits too: they may come with --resume, and are on all that the run spent.
+    ledger = Ledger(None if shared is None else shared / "spending.jsonl")
+    most = settings.max_tokens_total
+    return LimitedModel(model, ledger, settings.max_cost, most)
 
 
 def replaying_model(settings: ModelSettings) -> ReplayingModel | None:

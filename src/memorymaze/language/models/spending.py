@@ -153,7 +153,7 @@ class LimitedModel(WrappedModel):
         max_cost: float | None = None,
         max_tokens: int | None = None,
     ) -> None:
-        """Limit US dollars, or tokens of requests and replies together."""
+        """Limit US dollars, or tokens of requests and replies together, or only add up."""
         super().__init__(model)
         self.ledger = ledger
         self.max_cost = max_cost
@@ -178,7 +178,8 @@ class LimitedModel(WrappedModel):
             self.ledger.add(unusable.usage)
             raise
         self.ledger.add(completion.usage)
-        if not completion.usage.completion_tokens:
+        limited = self.max_cost is not None or self.max_tokens is not None
+        if limited and not completion.usage.completion_tokens:
             raise SpendingLimitReached(
                 f"the server of {completion.model} does not tell how many tokens a reply "
                 "has, so that no limit can be kept; leave --max-cost and "
