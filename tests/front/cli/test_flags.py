@@ -86,7 +86,8 @@ def test_a_paid_run_is_estimated_ends_at_its_limit_and_goes_on(
     said = memorymaze(*command, "--max-cost", "1.5")
     assert said.code == 1
     assert "an ESTIMATE for 12 requests" in said.err
-    assert "2.0000 USD are spent, of 1.5 allowed with --max-cost; 2 of 12" in said.err
+    assert "2.0000 USD are spent, of 1.5 allowed with --max-cost; raise it" in said.err
+    assert "2 of 12 episodes are finished and kept" in said.err
     said = memorymaze(*command, "--resume")
     assert said.code == 0
     assert "12 calls, 12000 tokens, 12.0000 USD" in said.out

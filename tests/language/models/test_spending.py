@@ -2,11 +2,13 @@
 
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from memorymaze.basics.errors import LanguageModelError, SpendingLimitReached
+from memorymaze.language.models.answers import RecordingModel, ReplayingModel
 from memorymaze.language.models.model import (
     CompletionRequest,
     Message,
@@ -39,7 +41,8 @@ def test_a_limit_is_passed_by_one_reply_at_most(tmp_path: Path, shared: bool) ->
         for _ in range(3):
             model.complete(REQUEST)
         with pytest.raises(
-            SpendingLimitReached, match=r"of .* allowed with (--)?max.[ct]"
+            SpendingLimitReached,
+            match=r"of .* allowed with (--)?max.[ct].*; raise it to go on$",
         ):
             model.complete(REQUEST)
     assert ledger.spent() == Spent(30, 30.0)
@@ -91,16 +94,28 @@ def test_an_answer_that_is_no_reply_is_paid_for() -> None:
         model.complete(REQUEST)
 
 
-def test_a_server_that_counts_nothing_cannot_be_limited(tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    "told", [Usage(), Usage(0, 9), Usage(9, 0)], ids=["neither", "replies", "requests"]
+)
+def test_a_server_that_does_not_count_all_is_not_asked_again_under_a_limit(
+    told: Usage, tmp_path: Path
+) -> None:
     class Silent(ScriptedLanguageModel):
         def complete(self, request: CompletionRequest):
-            from dataclasses import replace
+            return replace(super().complete(request), usage=told)
 
-            return replace(super().complete(request), usage=Usage())
-
-    model = LimitedModel(Silent(["yes"]), Ledger(None), max_tokens=5)
-    with pytest.raises(SpendingLimitReached, match="does not tell how many tokens"):
-        model.complete(REQUEST)
+    free = LimitedModel(Silent(["yes", "yes"]), Ledger(None))
+    assert [free.complete(REQUEST).text for _ in range(2)] == ["yes", "yes"]
+    limited = LimitedModel(Silent(["yes", "yes"]), Ledger(None), max_tokens=50)
+    store = tmp_path / "replies.jsonl"
+    model = RecordingModel(limited, store)
+    assert model.complete(REQUEST).text == "yes"
+    with pytest.raises(
+        SpendingLimitReached,
+        match=r"does not tell how many tokens .*; leave --max-cost .* out$",
+    ):
+        model.complete(replace(REQUEST, seed=2))
+    assert ReplayingModel(store).complete(REQUEST).text == "yes"
 
 
 def test_a_reply_says_what_it_cost() -> None:

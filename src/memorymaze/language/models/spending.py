@@ -158,33 +158,37 @@ class LimitedModel(WrappedModel):
         self.ledger = ledger
         self.max_cost = max_cost
         self.max_tokens = max_tokens
+        self._all_told = True
 
     def complete(self, request: CompletionRequest) -> Completion:
         """Ask the model, if there is something left to spend."""
+        limited = self.max_cost is not None or self.max_tokens is not None
+        if limited and not self._all_told:
+            raise SpendingLimitReached(
+                f"the server of {self.name} does not tell how many tokens a request and "
+                "its reply have, so that no limit can be kept; leave --max-cost and "
+                "max_tokens_total out"
+            )
         spent = self.ledger.spent()
         if self.max_cost is not None and spent.cost_usd >= self.max_cost:
             raise SpendingLimitReached(
                 f"{spent.cost_usd:.4f} USD are spent, of {self.max_cost:g} allowed with "
-                "--max-cost"
+                "--max-cost; raise it to go on"
             )
         if self.max_tokens is not None and spent.tokens >= self.max_tokens:
             raise SpendingLimitReached(
                 f"{spent.tokens} tokens are used, of {self.max_tokens} allowed with "
-                "max_tokens_total"
+                "max_tokens_total; raise it to go on"
             )
         try:
             completion = self._model.complete(request)
         except UnusableReplyError as unusable:
             self.ledger.add(unusable.usage)
             raise
-        self.ledger.add(completion.usage)
-        limited = self.max_cost is not None or self.max_tokens is not None
-        if limited and not completion.usage.completion_tokens:
-            raise SpendingLimitReached(
-                f"the server of {completion.model} does not tell how many tokens a reply "
-                "has, so that no limit can be kept; leave --max-cost and "
-                "max_tokens_total out"
-            )
+        usage = completion.usage
+        self.ledger.add(usage)
+        # This reply is paid for, and given; only the next one is not asked for.
+        self._all_told &= usage.prompt_tokens > 0 and usage.completion_tokens > 0
         return completion
 
 

@@ -88,8 +88,8 @@ def run_plan(
             run.write_summary(summarise(results, plan.settings))
     if limit is not None:
         raise SpendingLimitReached(
-            f"{limit}; {len(results)} of {len(plan.episodes)} episodes are finished and "
-            f"kept in {path}. To go on, raise the limit and add --resume"
+            f"{limit}. {len(results)} of {len(plan.episodes)} episodes are finished and "
+            f"kept in {path}; --resume goes on from there"
         )
     return results
 
