@@ -332,9 +332,14 @@ def test_files_of_several_machines_are_one_after_another_one(
         recording = RecordingModel(model, tmp_path / machine)
         recording.complete(REQUEST)
         recording.complete(asked(machine, "v1"))
+        AboutInstruction(recording, "p1-1").complete(asked("Here.", "v1"))
     parts = [(tmp_path / machine).read_bytes() for machine in ("one", "other")]
     store.write_bytes(b"".join(parts))
 
     replaying = ReplayingModel(store)
     assert replaying.complete(REQUEST).text == "one"
     assert replaying.complete(asked("other", "v1")).text == "other"
+    # The first counts under another version of the prompt too.
+    about = AboutInstruction(replaying, "p1-1")
+    for told, prompt in (("Here.", "v1"), ("You are here.", "v2")):
+        assert about.complete(asked(told, prompt)).text == "one"

@@ -127,8 +127,8 @@ class AnswerFile:
         prompts = [each.prompt for each in matching]
         if not matching or question.prompt in prompts:
             return None
-        last = {each.key: each for each in matching if each.prompt == prompts[-1]}
-        return next(iter(last.values())) if len(last) == 1 else None
+        last = [each for each in matching if each.prompt == prompts[-1]]
+        return last[0] if len({each.key for each in last}) == 1 else None
 
     def stages(
         self, model: str | None = None
