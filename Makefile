@@ -15,6 +15,7 @@ MODEL ?=
 LIMIT ?= 12
 TABLE_TWO ?= runs/table-two-$(VERSION)
 OPTIONS ?=
+SETTINGS ?=
 
 .PHONY: benchmark table-two test proof test-local-llm check docs wheel-check bench setup install clean
 
@@ -23,11 +24,12 @@ benchmark: install
 
 # Every method of the paper's Table II, from recorded answers or on a sample with any model,
 # which is asked and then replayed from its replies: that must give the same table. OPTIONS
-# takes further options of the model, such as "--base-url URL --price 0.15,0.60".
+# takes further options of asking it, such as "--base-url URL --price 0.15,0.60", and SETTINGS
+# those that change results, for both, such as "--with inference_time=2".
 SUITE := $(BIN)/memorymaze evaluate --resume --suite examples/suites
 SMALL := $(filter smollm2 gguf:%,$(MODEL))
 ASKED := $(SUITE)/$(if $(SMALL),table_two_small,table_two_asked).toml \
-	--model "$(MODEL)" --limit $(LIMIT)
+	--model "$(MODEL)" --limit $(LIMIT) $(SETTINGS)
 table-two: install
 ifeq ($(MODEL),)
 	$(SUITE)/table_two.toml --workers $(WORKERS) --out $(TABLE_TWO)/recorded

@@ -3,6 +3,7 @@
 import argparse
 import re
 import shlex
+import subprocess
 from collections.abc import Iterator
 from itertools import takewhile
 from pathlib import Path
@@ -73,3 +74,19 @@ def test_the_example_of_every_help_is_a_command(
             except SystemExit as stop:
                 wrong.append(f"{command}: {stop.code} {capsys.readouterr().err}")
     assert wrong == []
+
+
+def test_settings_of_the_second_table_are_for_the_run_asked_and_the_one_replayed() -> (
+    None
+):
+    given = ["MODEL=m", "SETTINGS=--with inference_time=2"]
+    told = subprocess.run(
+        ["make", "--dry-run", "table-two", *given],
+        cwd=PROJECT,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    runs = [line for line in told.stdout.splitlines() if " --suite " in line]
+    assert ["--record" in line for line in runs] == [True, False]
+    assert all("--with inference_time=2 " in line for line in runs)
