@@ -54,9 +54,14 @@ def ask_until_read(
     )
 
 
+def without_thoughts(reply: str) -> str:
+    """Return what a reply says after the last thoughts between `<think>` marks."""
+    return reply.rpartition("</think>")[2]
+
+
 def object_in(reply: str) -> str:
     """Return the JSON object in a reply, whatever stands around it."""
-    reply = reply.rpartition("</think>")[2]
+    reply = without_thoughts(reply)
     begin, end = reply.find("{"), reply.rfind("}")
     if not 0 <= begin < end:
         raise ValueError(f"expected one JSON object, got {shown(reply)}")

@@ -133,6 +133,12 @@ def test_turns_are_counted_in_primitives_of_the_track() -> None:
     assert read_reply_as_released(reply, BY_15) == Command("left", 3)
 
 
+def test_thoughts_are_no_commands() -> None:
+    thoughts = "<think>Turn left 30 degrees? Or stop? " + "No. " * 6000 + "</think>\n"
+    for command in ("move forward 50 cm", '{"action": "forward", "amount": 50}'):
+        assert said(thoughts + command) == FORWARD_2
+
+
 @given(st.text(), st.sampled_from([BY_15, BY_30]))
 def test_no_text_whatever_makes_a_reader_fail(text: str, motions: Motions) -> None:
     for reader in (read_navid_reply, read_reply_as_released):

@@ -137,8 +137,9 @@ def test_only_eight_sentences_and_a_summary_will_do(reply: str, message: str) ->
 
 
 def test_words_around_the_captions_do_not_matter() -> None:
-    captions = read_captions(f"Here you are:\n```json\n{REPLY}\n```\nAnything else?")
-    assert list(captions.views) == SENTENCES
+    told = f"Here you are:\n```json\n{REPLY}\n```\nAnything else?"
+    for reply in (told, f"<think>Perhaps {{a hall}}.</think>\n{told}"):
+        assert list(read_captions(reply).views) == SENTENCES
 
 
 def test_pictures_show_eight_directions(corridor_site: Site) -> None:

@@ -12,6 +12,7 @@ import re
 from collections.abc import Iterator
 from typing import Any, cast
 
+from memorymaze.agents.asking import without_thoughts
 from memorymaze.agents.navid.motions import Command, Motion, Motions
 
 LONGEST_REPLY = 20_000
@@ -58,10 +59,11 @@ def read_navid_reply(text: str, motions: Motions) -> Command:
     A JSON object with `action` and `amount` decides, wherever in the reply it is.
     Without one, the reply must have exactly one command such as `move forward 50 cm`,
     `turn left 30 degrees` or `stop`. What contradicts itself, negates, names no amount
-    or less than one primitive is refused.
+    or less than one primitive is refused. Thoughts between `<think>` marks do not count.
 
     Amounts beyond the largest of the motions are cut to it.
     """
+    text = without_thoughts(text)
     if len(text) > LONGEST_REPLY:
         raise ValueError(f"the reply has more than {LONGEST_REPLY} characters")
     objects = list(_objects_with_action(text))

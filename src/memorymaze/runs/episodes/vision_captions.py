@@ -9,7 +9,7 @@ from itertools import count
 from typing import Any
 
 from memorymaze.agents.agent import Journal
-from memorymaze.agents.asking import ask_until_read
+from memorymaze.agents.asking import ask_until_read, object_in
 from memorymaze.basics.geometry.pose import Pose
 from memorymaze.language.models.model import (
     Completion,
@@ -137,7 +137,7 @@ def read_captions(reply: str) -> Captions:
         '"summary", a sentence'
     )
     try:
-        record: Any = json.loads(reply[reply.index("{") : reply.rindex("}") + 1])
+        record: Any = json.loads(object_in(reply))
         views: Any = record["views"]
         summary: Any = record["summary"]
     except (ValueError, KeyError, TypeError, RecursionError):
