@@ -94,6 +94,16 @@ def test_a_plain_reply_is_a_completion(file: Callable[..., Path]) -> None:
             "failed: Too late.",
             id="expired",
         ),
+        pytest.param(
+            reply(response={"status_code": 200, "body": {"choices": []}}),
+            "cannot be read: field 'response.body.choices'",
+            id="no choices",
+        ),
+        pytest.param(
+            reply(response={"status_code": 200, "body": None}),
+            "cannot be read: field 'response.body'",
+            id="no body",
+        ),
         pytest.param(reply(text=" "), "finish_reason length", id="empty"),
         pytest.param(reply(text=None), "without text", id="null"),
         pytest.param(reply(text="\ud800"), "halves of characters", id="halves"),
@@ -107,6 +117,21 @@ def test_a_request_that_failed_says_why(
     found = read_replies([file(line)])["a"]
     assert found.completion is None
     assert why in str(found.error)
+
+
+def test_a_bad_answer_leaves_the_good_ones(file: Callable[..., Path]) -> None:
+    bad = reply("b", response={"status_code": 200, "body": {"choices": []}})
+    found = read_replies([file(reply("a"), bad)])
+    assert [each.completion is None for each in found.values()] == [False, True]
+
+
+def test_counts_that_a_server_leaves_out_are_none_online_or_in_a_batch(
+    file: Callable[..., Path],
+) -> None:
+    line = reply()
+    line["response"]["body"]["usage"] = {"prompt_tokens": 7, "completion_tokens": None}
+    found = read_replies([file(line)])["a"]
+    assert found.completion == Completion("Yes.", "m-1", Usage(7, 0), 0.0)
 
 
 @pytest.mark.parametrize("order", [1, -1])
@@ -133,11 +158,6 @@ def test_an_answer_counts_before_failures(
             id="request",
         ),
         pytest.param([reply(), reply()], ":2: .*second one to 'a'", id="twice"),
-        pytest.param(
-            [reply(response={"status_code": 200, "body": {}})],
-            r"field 'response\.body\.choices'",
-            id="no choices",
-        ),
         pytest.param(
             [{"custom_id": 3, "reply": "x"}], "'custom_id': expected", id="number"
         ),

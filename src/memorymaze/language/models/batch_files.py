@@ -41,8 +41,8 @@ class BatchReply:
 
 
 class _ReplyUsage(BaseModel):
-    prompt_tokens: TokenCount = 0
-    completion_tokens: TokenCount = 0
+    prompt_tokens: TokenCount | None = None
+    completion_tokens: TokenCount | None = None
 
 
 class _ReplyMessage(BaseModel):
@@ -173,9 +173,10 @@ def _reply(line: str, place: str) -> BatchReply:
     try:
         body = _ReplyBody.model_validate(response.body)
     except ValidationError as error:
-        raise ValueError(_first_mistake(error, "response.body.")) from None
+        wrong = f"that cannot be read: {_first_mistake(error, 'response.body.')}"
+        return _checked(head, None, wrong, place)
     usage = body.usage or _ReplyUsage()
-    counted = Usage(usage.prompt_tokens, usage.completion_tokens)
+    counted = Usage(usage.prompt_tokens or 0, usage.completion_tokens or 0)
     first = body.choices[0]
     message = first.message
     wrong = why_unusable(message.content, first.finish_reason, message.refusal)
@@ -184,7 +185,7 @@ def _reply(line: str, place: str) -> BatchReply:
 
 
 def _checked(
-    head: _ReplyLine, said: Completion, wrong: str | None, place: str
+    head: _ReplyLine, said: Completion | None, wrong: str | None, place: str
 ) -> BatchReply:
     """Return a reply; what is no reply online is a failure here too."""
     if wrong is None:
@@ -205,4 +206,4 @@ def _failure(line: _ReplyLine) -> str:
 
 def _first_mistake(error: ValidationError, inside: str = "") -> str:
     where, what = next(mistakes(error))
-    return f"field {inside + where!r}: {what}"
+    return f"field {(inside + where).rstrip('.')!r}: {what}"
