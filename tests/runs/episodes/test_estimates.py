@@ -43,7 +43,7 @@ def test_code_generation_is_estimated_by_its_own_requests(
     plan: Callable[[AgentSettings], RunPlan],
 ) -> None:
     said = str(cost_estimate(plan(ASKING)))
-    assert "an ESTIMATE for 8 requests" in said
+    assert "an ESTIMATE for 8 requests of the whole run, answers kept included" in said
     # 8 replies of 1000 tokens at 10 dollars a million are 0.08; the rest is read.
     assert "about 0.11 USD" in said
     assert "0.35 USD if every reply is as long as it may be" in said
@@ -80,6 +80,7 @@ def test_a_run_tells_how_often_it_will_ask() -> None:
         )
         line = answers_estimate(plan_run(agent, settings=twelve))
         assert line is not None
+        assert "in the whole run, answers kept included" in line
         numbers = [int(word) for word in line.split() if word.isdigit()]
         return numbers[0], numbers[1]
 

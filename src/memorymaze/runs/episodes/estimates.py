@@ -58,10 +58,10 @@ def cost_estimate(plan: RunPlan) -> str | None:
     most = sum(each.max_tokens for each in requests)
     about, at_most = (price.cost(round(read), tokens) for tokens in (written, most))
     return (
-        f"cost: about {about:.2f} USD, an ESTIMATE for {len(requests)} requests of "
-        f"{read:.0f} tokens together ({CHARACTERS_PER_TOKEN:g} characters a token) and "
-        f"{REPLY_TOKENS} tokens a reply; {at_most:.2f} USD if every reply is as long as it "
-        f"may be{end}"
+        f"cost: about {about:.2f} USD, an ESTIMATE for {len(requests)} requests of the "
+        f"whole run, answers kept included, of {read:.0f} tokens together "
+        f"({CHARACTERS_PER_TOKEN:g} characters a token) and {REPLY_TOKENS} tokens a reply; "
+        f"{at_most:.2f} USD if every reply is as long as it may be{end}"
     )
 
 
@@ -94,7 +94,8 @@ def answers_estimate(plan: RunPlan) -> str | None:
         most += asking.most
     hours = [answers * SECONDS_PER_ANSWER / 3600 for answers in (fewest, most)]
     return (
-        f"the policy will be asked about {fewest} times if it makes no mistake, and at "
-        f"most about {most} times; with {SECONDS_PER_ANSWER:g} s for an answer that is "
+        f"the policy will be asked about {fewest} times in the whole run, answers kept "
+        f"included, if it makes no mistake, and at most about {most} times; with "
+        f"{SECONDS_PER_ANSWER:g} s for an answer that is "
         f"{hours[0]:.1f} to {hours[1]:.1f} hours for one worker"
     )
