@@ -1,6 +1,7 @@
 """People who follow texts with the robot: driven, broken off, scored beside agents."""
 
 import json
+import shutil
 from collections.abc import Callable, Generator
 from pathlib import Path
 from typing import Any
@@ -97,8 +98,9 @@ def test_somebody_arrives_and_is_scored_in_a_run_that_tables_read(
     [told] = read_instructions(out)
     assert told.text == drives.text_for(who, STEP).instruction.text
     assert load_episode(out, result.episode_id).story.walk.length > 10
+    again = tmp_path / "again"
     for verb in ("table", "compare"):
-        folders = [out] if verb == "table" else [out, out]
+        folders = [out] if verb == "table" else [out, shutil.copytree(out, again)]
         assert run_command_line([verb, *map(str, folders)]) == 0
         assert "people" in capsys.readouterr().out
     assert [each.path for each in store.exports()] == [str(out)]
