@@ -94,7 +94,7 @@ def test_a_run_killed_again_and_again_ends_as_an_unbroken_one(
 ) -> None:
     whole = run_plan(tiny_plan(troubled), tmp_path / "whole", workers=2)
     out = tmp_path / "broken"
-    for word in ("door", "think"):
+    for word in ("door", "goes"):
         order(tmp_path, word, "parent SIGKILL")
         done = evaluate(troubled, tiny_files, out, "--resume")
         assert done.returncode == -signal.SIGKILL
