@@ -4,6 +4,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 import pytest
@@ -567,6 +568,23 @@ def test_a_long_plan_in_a_grid_of_streets_is_weighed_in_bounded_work() -> None:
     belief = _believe(plan, grid, [AssumedStart(at, NORTH, exit, 1.0)])
     assert belief.frontiers
     assert counted.looked_up < 25 * MOST_ALIGNMENTS
+
+
+def test_many_turns_on_one_spot_are_weighed_in_bounded_work(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    turn, turned = Belief._turn, 0
+
+    def counted(*given: Any) -> None:
+        nonlocal turned
+        turned += 1
+        turn(*given)
+
+    monkeypatch.setattr(Belief, "_turn", counted)
+    ahead = (Mention("clock", place="target", side="ahead"),)
+    spin = Leg(Turn("either"), on_the_spot=True, mentions=ahead)
+    _believe(RoutePlan(legs=(spin,) * 8), _hall(2))
+    assert turned < 25 * MOST_ALIGNMENTS
 
 
 def _zigzag(legs: int) -> tuple[Leg, ...]:

@@ -5,6 +5,7 @@ the whole plan that it says; the tests below look at single fields in more wordi
 """
 
 import json
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -14,6 +15,7 @@ from hypothesis import strategies as st
 
 from memorymaze.language.plans import RoutePlan, parse_plan, plan_record
 from memorymaze.language.reading import parse_route_description
+from memorymaze.language.reading.marking import read_by_marks
 
 FORMS = [
     json.loads(line)
@@ -214,6 +216,32 @@ def test_steps_and_minutes_become_metres_of_a_human_walk(
     assert leg.length is not None
     assert shortest <= leg.length.metres <= longest
     assert leg.length.unit != "metres"
+
+
+@pytest.mark.parametrize("read", [parse_route_description, read_by_marks])
+@pytest.mark.parametrize(
+    ("number", "metres"),
+    [
+        ("two hundred", 200),
+        ("a hundred and fifty", 150),
+        ("1,000", 1000),
+        ("two and a half", 2.5),
+    ],
+)
+def test_large_and_half_numbers_are_read_whole_by_both_readers(
+    read: Callable[[str], RoutePlan], number: str, metres: float
+) -> None:
+    (leg,) = read(f"Walk {number} metres, then turn left.").legs
+    assert leg.length is not None
+    assert leg.length.metres == metres
+
+
+def test_a_turn_told_again_beside_a_thing_leaves_the_next_one_to_itself() -> None:
+    text = "Turn left. Again, at the lift left, right, and the library is there."
+    assert [each.turn.way for each in parse_route_description(text).legs] == [
+        "left",
+        "right",
+    ]
 
 
 @pytest.mark.parametrize(

@@ -376,6 +376,10 @@ class Belief:
             self._add(done, index)
             following = self._said.leg_of(done)
             if anew and following is not None and following.on_the_spot:
+                # Turns on one spot lead to others there, each way as often.
+                self._followed += 1
+                if self._followed > MOST_ALIGNMENTS:
+                    return
                 self._turn(done, self._choices[segment.at, done.heading])
 
     def _by_signs(self, segment: Segment, exit: int, choices: Choices) -> Weights:

@@ -160,6 +160,7 @@ class _Assembly:
         if self._restating.repeats(at, way, event.ordinal, self._done, self._draft):
             self._done[-1].lengths.extend(self._draft.lengths)
             self._draft = PartialLeg(side=flank(way) if event.aside else None)
+            self._since_thing = 9
             return
         if way is None and self._draft.is_new and self._done and not event.subject:
             return

@@ -2,6 +2,7 @@
 
 import re
 
+from memorymaze.language.reading.lengths import read_number
 from memorymaze.language.reading.vocabulary import CLOCK, ONES, TENS
 
 _DIGITS = {
@@ -22,6 +23,12 @@ _BY_PAIRS = re.compile(
     rf"\b(?P<first>{_pair})[ -](?P<second>{_pair}|(?:oh|zero)[ -](?:{_one}))\b"
 )
 """`Twenty-three forty-seven`, `eleven oh eight`: the number of a room."""
+_below_hundred = rf"(?:(?:{_tens})(?:[- ](?:{_one}))?|{'|'.join(ONES)}|\d{{1,2}})"
+_HUNDREDS = re.compile(
+    rf"\b(?:(?P<many>an?|{'|'.join(ONES)}|\d) )?hundred(?:(?: and)? (?P<rest>{_below_hundred}))?\b"
+)
+_HALVES = re.compile(rf"\b(?P<whole>{_below_hundred}) and a half\b")
+_THOUSANDS = re.compile(r"(?<![\d.,])(\d{1,3}),(\d{3})(?![\d.,]*\d)")
 _hour = "|".join(sorted((h for h in CLOCK if h.isalpha()), key=len, reverse=True))
 _BY_THE_CLOCK = re.compile(
     r"\bclock (?:system|face|code|positions?|directions?|hours?)|\bby the (?:dial|clock)\b"
@@ -61,16 +68,27 @@ def with_plain_numbers(text: str) -> str:
 
     >>> with_plain_numbers("room two-three-four-seven, then two-one metres")
     'room 2347, then 21 metres'
+    >>> with_plain_numbers("two hundred and fifty feet, or 1,000 steps")
+    '250 feet, or 1000 steps'
     >>> with_plain_numbers("thirty-three-oh-two, right by eleven oh eight")
     '3302, right by 1108'
     >>> with_plain_numbers("hold twelve: come to three. nine again. the door is at ten.")
     "straight ahead: turn to three o'clock. left again. the door is at ten o'clock."
     """
+    text = _THOUSANDS.sub(r"\1\2", text)
+    text = _HUNDREDS.sub(_joined_hundreds, text)
+    text = _HALVES.sub(lambda each: f"{read_number(each['whole']) + 0.5:g}", text)
     text = _BY_PAIRS.sub(_joined_pairs, text)
     text = _BY_DIGIT.sub(_joined_digits, text)
     if not _BY_THE_CLOCK.search(text) or _COUNTS.search(text):
         return text
     return _HOUR.sub(_as_direction, _ANNOUNCED.sub("", text))
+
+
+def _joined_hundreds(match: re.Match[str]) -> str:
+    many, rest = match["many"], match["rest"]
+    count = 1.0 if many in {None, "a", "an"} else read_number(many)
+    return f"{100 * count + (read_number(rest) if rest else 0):g}"
 
 
 def _joined_digits(match: re.Match[str]) -> str:

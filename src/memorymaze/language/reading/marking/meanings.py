@@ -16,7 +16,7 @@ from memorymaze.language.reading.lengths import (
 )
 from memorymaze.language.reading.spoken_numbers import with_plain_numbers
 from memorymaze.language.reading.things import floor_phrase, thing_phrase
-from memorymaze.language.reading.vocabulary import ONES, ORDINALS, TENS
+from memorymaze.language.reading.vocabulary import ONES, ORDINALS
 
 _SIGNS = str.maketrans({
     "\u2019": "'",
@@ -29,12 +29,6 @@ _DIGITS = re.compile(r"([1-9]\d{0,5})(?:st|nd|rd|th)?")
 _BACKWARDS = re.compile(r"\b(?:to last|last but|but one|second last|penultimate)\b")
 """Counts that are told from the end; only the last has a number here."""
 
-_ones, _tens = "|".join(ONES), "|".join(TENS)
-_BELOW_HUNDRED = rf"(?:(?:{_tens})(?:[- ](?:{_ones}))?|{_ones}|\d{{1,2}})"
-_HUNDREDS = re.compile(
-    rf"\b(?:(?P<many>an?|{_ones}|\d) )?hundred(?:(?: and)? (?P<rest>{_BELOW_HUNDRED}))?\b"
-)
-_HALVES = re.compile(rf"\b(?P<whole>{_BELOW_HUNDRED}) and a half\b")
 _PLACE = (
     r"(?:(?:segment|intersection|junction|crossing|block|alley|aisle|square|section"
     r"|corridor|hallway|passage)s?|times)"
@@ -66,7 +60,7 @@ _WRITTEN = re.compile(
 _ON_IT = re.compile(r"(?: written)? on (?:it|them)$")
 _POSSESSIVE = re.compile(r"'s?(?!\w)")
 _ROOM = re.compile(r"(?:door |room |number )*(\d+\w?)")
-_ROOM_IN_WORDS = re.compile(rf"(?:door |room |number )*({_ones})")
+_ROOM_IN_WORDS = re.compile(rf"(?:door |room |number )*({'|'.join(ONES)})")
 
 
 def _plain(words: str) -> str:
@@ -88,13 +82,13 @@ def ordinal_in(words: str) -> int | None:
 
 def unit_in(words: str) -> str | None:
     """Return the word for what a length is counted in, if it says one."""
-    found = re.search(LENGTH, _with_digits(words))
+    found = re.search(LENGTH, _plain(words))
     return found["unit"] if found is not None else None
 
 
 def length_in(words: str, unit: str) -> Length:
     """Return a length; a number alone is counted in a unit that was told elsewhere."""
-    said = _with_digits(words)
+    said = _plain(words)
     if (found := re.search(LENGTH, said)) is not None:
         return read_length(found)
     if (places := _COUNTED_IN_PLACES.search(said)) is not None:
@@ -114,21 +108,9 @@ def length_in(words: str, unit: str) -> Length:
     return read_vague(said)
 
 
-def _with_digits(words: str) -> str:
-    """Write hundreds, and halves, in digits."""
-
-    def hundreds(match: re.Match[str]) -> str:
-        many = match["many"]
-        count = 1.0 if many in {None, "a", "an"} else read_number(many)
-        return f"{100 * count + (read_number(match['rest']) if match['rest'] else 0):g}"
-
-    said = _HUNDREDS.sub(hundreds, _plain(words))
-    return _HALVES.sub(lambda each: f"{read_number(each['whole']) + 0.5:g}", said)
-
-
 def totals_in(words: str) -> Totals:
     """Return what is said of the whole way."""
-    said = _with_digits(words)
+    said = _plain(words)
     turns, length = _TURNS.search(said), re.search(LENGTH, said)
     count = round(read_number(turns["count"])) if turns is not None else None
     return Totals(count, read_length(length).metres if length is not None else None)
