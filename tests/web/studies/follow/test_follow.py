@@ -251,6 +251,20 @@ def test_texts_that_changed_since_they_were_followed_are_refused(
             pass
 
 
+def test_a_walk_that_ends_while_the_robot_is_on_its_way_is_exported(
+    study: Study, store: Store, drives: Drives, tmp_path: Path
+) -> None:
+    who = somebody(store)
+    drives.drive(who, STEP, 0, "forward")
+    for number in (1, 2):
+        # Kept before the robot moves, and told by nobody yet.
+        store.add_event(who.id, STEP, "drive.forward", number)
+    finish(store, drives, who, SURE)
+    export_walks(study, store, tmp_path / "people")
+    _, [result] = read_run(tmp_path / "people")
+    assert result.api_calls == 3
+
+
 def test_a_walk_that_would_end_elsewhere_now_is_refused(
     study: Study, store: Store, drives: Drives, tmp_path: Path
 ) -> None:

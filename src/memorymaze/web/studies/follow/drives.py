@@ -196,11 +196,16 @@ class Drives:
         episode = self.text_for(who, step)
         live = self._lives.get((who.id, step))
         seen = None if live is None else live.seen
+        commands = len(commands_of(self._store, who.id, step))
+        place = None
+        # Of a command under way nobody saw where it ends.
+        if said is not None and seen is not None and seen.done == commands:
+            place = seen.place
         answer = {
             "text": episode.id,
-            "commands": len(commands_of(self._store, who.id, step)),
+            "commands": commands,
             "said": None if said is None else said._asdict(),
-            "place": None if said is None or seen is None else seen.place,
+            "place": place,
         }
         self._put_away((who.id, step))
         return Taken(json.dumps(answer), shown=episode.instruction.text)
