@@ -219,6 +219,12 @@ def _write_walks(study: "Study", options: argparse.Namespace) -> None:
     print(
         f"{counted(done.walks, 'walk')} of {counted(done.participants, 'participant')}"
     )
+    if done.elsewhere:
+        print(
+            f"{counted(len(done.elsewhere), 'walk')} left out, which end elsewhere than "
+            f"their drivers saw: {', '.join(done.elsewhere)} (the robot was still on its "
+            "way, or the plan or memorymaze are others now)"
+        )
     if done.never_followed:
         print(f"{counted(done.never_followed, 'text')} nobody has followed yet")
     for folder in done.folders:

@@ -265,16 +265,32 @@ def test_a_walk_that_ends_while_the_robot_is_on_its_way_is_exported(
     assert result.api_calls == 3
 
 
-def test_a_walk_that_would_end_elsewhere_now_is_refused(
-    study: Study, store: Store, drives: Drives, tmp_path: Path
+def test_a_walk_that_would_end_elsewhere_now_is_left_out_and_named(
+    study: Study,
+    store: Store,
+    drives: Drives,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
     who = somebody(store)
     drives.drive(who, STEP, 0, "forward")
     taken = drives.ending(who, STEP, SURE)
     driven = json.loads(taken.text) | {"place": [5.0, 5.0]}
     store.add_answer(who.id, STEP, json.dumps(driven), taken.shown)
-    with pytest.raises(StudyError, match="where its driver saw it end"):
+    with pytest.raises(StudyError, match="where their drivers saw them end"):
         export_walks(study, store, tmp_path / "people")
+    other = somebody(store, "other")
+    drives.drive(other, STEP, 0, "forward")
+    finish(store, drives, other, SURE)
+    out = tmp_path / "people"
+    assert (
+        run_command_line(["study", "export", str(study.path), "--out", str(out)]) == 0
+    )
+    told = capsys.readouterr().out
+    assert "1 walk of 1 participant\n1 walk left out" in told
+    assert f"saw: {who.id} on {driven['text']} (" in told
+    _, [result] = read_run(out)
+    assert result.episode_id == drives.text_for(other, STEP).id
 
 
 def test_who_comes_when_all_robots_are_driven_waits_until_one_rests(

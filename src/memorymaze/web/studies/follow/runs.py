@@ -36,6 +36,8 @@ class ExportedWalks:
     """The run of the first person on each text; those of the second and so on."""
     walks: int
     participants: int
+    elsewhere: tuple[str, ...]
+    """Walks left out, which end elsewhere than their drivers saw."""
     never_followed: int
     """Texts of the study that nobody has followed to an end."""
 
@@ -58,10 +60,20 @@ def export_walks(study: Study, store: Store, out: str | Path) -> ExportedWalks:
     settings = replace(texts.settings, agent=agent)
     arena = arena_of(settings, study.site)
     # All are driven before anything is written: one that is refused leaves no half run.
-    driven = [
+    again = [
         _Driven(who, walk, _again(walk, texts.episode(walk.text), arena, settings))
         for who, walk in walks
     ]
+    driven = [each for each in again if each.ends_as_seen]
+    elsewhere = tuple(
+        f"{each.who} on {each.walk.text}" for each in again if not each.ends_as_seen
+    )
+    if not driven:
+        raise StudyError(
+            f"{store.folder}: expected walks that end where their drivers saw them end, "
+            f"got {', '.join(elsewhere)}; export them with the plan and the version of "
+            "memorymaze that they were driven with"
+        )
     rounds = _rounds(driven)
     folders = [
         Path(out) if number == 1 else Path(f"{out}-{number}")
@@ -79,7 +91,8 @@ def export_walks(study: Study, store: Store, out: str | Path) -> ExportedWalks:
         tuple(folders),
         len(driven),
         len({each.who for each in driven}),
-        len(texts.episodes) - len(rounds[0]),
+        elsewhere,
+        len(texts.episodes) - len({walk.text for _, walk in walks}),
     )
 
 
@@ -87,6 +100,13 @@ class _Driven(NamedTuple):
     who: str
     walk: Walked
     run: EpisodeRun
+
+    @property
+    def ends_as_seen(self) -> bool:
+        """Whether it ends where its driver saw it end, or nobody saw that."""
+        end = self.run.trajectory.poses[-1]
+        place = self.walk.place
+        return place is None or math.dist(place, (end.x, end.y)) <= SAME_PLACE
 
 
 def _rounds(driven: Sequence[_Driven]) -> list[list[_Driven]]:
@@ -127,18 +147,10 @@ def _write_run(
 def _again(
     walk: Walked, episode: Episode, arena: Arena, settings: RunDefinition
 ) -> EpisodeRun:
-    """Drive a walk once more; refuse one that would not be the one that was driven."""
+    """Drive a walk once more; refuse one on other words than were followed."""
     if episode.instruction.text != walk.told:
         raise StudyError(
             f"text {episode.id!r}: expected it as it was followed, got other words; bring "
             "the instruction file back as it was"
         )
-    done = walk_again(walk.commands, walk.said, episode, arena, settings)
-    end = done.trajectory.poses[-1]
-    if walk.place is not None and math.dist(walk.place, (end.x, end.y)) > SAME_PLACE:
-        raise StudyError(
-            f"walk on text {episode.id!r}: expected it to end where its driver saw it end, "
-            f"at {walk.place}, got ({end.x:.2f}, {end.y:.2f}); export it with the plan and "
-            "the version of memorymaze that it was driven with"
-        )
-    return done
+    return walk_again(walk.commands, walk.said, episode, arena, settings)
