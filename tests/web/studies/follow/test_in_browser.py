@@ -92,6 +92,56 @@ def test_somebody_drives_by_keyboard_reloads_the_page_and_arrives(
     assert not problems
 
 
+@pytest.mark.proof
+@pytest.mark.parametrize(
+    ("ends", "shown"),
+    [
+        pytest.param("ended", "Thank you", id="ended"),
+        pytest.param("withdrawn", "Welcome", id="withdrawn"),
+    ],
+)
+def test_a_walk_that_is_over_in_another_window_leads_on_to_what_the_study_says(
+    make_study: MakeStudy,
+    serve_study: ServeStudy,
+    tiny_instructions: Path,
+    browser: Browser,
+    ends: str,
+    shown: str,
+) -> None:
+    study = make_study(
+        "follow",
+        f"instructions = [{json.dumps(str(tiny_instructions))}]",
+        "platform_ids = []",
+    )
+    with serve_study(study) as served, browser.new_context() as context:
+        page = context.new_page()
+        page.goto(served.addresses.participants)
+        consent_and_go_to_the_first_way(page)
+        if ends == "ended":
+            end_walk(page)
+            page.get_by_role("radio").first.press("Space")
+            page.get_by_role("button", name="Go on").press("Enter")
+            expect(page.locator("#drive")).to_have_count(1)
+        other = context.new_page()
+        other.goto(page.url)
+        expect(other.locator("[data-command=forward]")).to_be_enabled(timeout=ENOUGH)
+        if ends == "ended":
+            end_walk(page)
+        else:
+            page.goto(f"{served.addresses.participants}/withdraw")
+            page.get_by_role("button", name="Remove everything").press("Enter")
+            expect(page.get_by_role("heading", level=1)).to_contain_text("removed")
+        other.keyboard.press("ArrowUp")
+        expect(other.get_by_role("heading", level=1)).to_contain_text(shown)
+
+
+def end_walk(page: Page) -> None:
+    page.get_by_label("I cannot find the way.").press("Space")
+    page.get_by_label("not at all").press("Space")
+    page.get_by_role("button", name="End this walk").press("Enter")
+    expect(page.locator("#drive")).to_have_count(0)
+
+
 def is_first(page: Page) -> bool:
     """Tell whether the way on the page is R1, which goes left."""
     return str(page.get_attribute("#drive", "data-robot")).endswith("R1")

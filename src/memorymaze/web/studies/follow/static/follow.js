@@ -41,6 +41,11 @@ async function ask(options) {
   for (let wait = 500; ; wait = Math.min(5000, wait * 2)) {
     try {
       const answer = await fetch(robot, options);
+      // The walk is over, or nobody takes part any more: the study's page says which.
+      if ([403, 404].includes(answer.status)) {
+        location.assign("/study");
+        return null;
+      }
       const told = await answer.json();
       if (answer.ok) return told;
       tell(told.problem, true);
