@@ -143,6 +143,22 @@ def test_a_bench_is_moved_by_the_keyboard_alone_and_saved(
 
 
 @pytest.mark.proof
+def test_a_number_that_is_not_taken_gives_way_to_the_one_of_the_plan(
+    annex: Path, edit: EditPlan, draughtsman: Draughtsman
+) -> None:
+    page = draughtsman.page
+    with edit(annex) as address, draughtsman.working_at(address):
+        page.get_by_label("Features").select_option("corridor_east")
+        for label, value in (("Width (m)", "0"), ("x of place 1", "")):
+            field = page.locator("#form").get_by_label(label, exact=True)
+            before = field.input_value()
+            assert before
+            draughtsman.fill(label, value)
+            expect(field).to_have_value(before)
+            assert page.evaluate("document.activeElement.name")
+
+
+@pytest.mark.proof
 def test_a_building_is_drawn_from_nothing_and_walked(
     tmp_path: Path, edit: EditPlan, draughtsman: Draughtsman, complaints: Complaints
 ) -> None:

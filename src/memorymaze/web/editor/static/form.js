@@ -47,6 +47,14 @@ export class Form {
     if (focused) this.element.querySelector(`[name="${CSS.escape(focused)}"]`)?.focus();
   }
 
+  // Show what the plan has instead of a number that is not taken, once the focus has gone on.
+  showAnew() {
+    requestAnimationFrame(() => {
+      this.shown = null;
+      this.show();
+    });
+  }
+
   partsOfPlan() {
     const { members } = this.plan.state;
     const commit = (name, value) => {
@@ -112,7 +120,7 @@ export class Form {
       else if (input.value === "" && isNullable) commit(null);
       else if (type !== "number") commit(input.value);
       else if (input.value !== "") commit(Number(input.value));
-      else this.show();
+      else this.showAnew();
     });
     return made("label", { className: type === "boolean" ? "choice" : "" }, label, input, ...(list ? [list] : []));
   }
@@ -174,6 +182,7 @@ export class Form {
       const { start, end, width } = middleLine(lines[0]);
       parts.push(this.control("width_m", number, width, (wide) => {
         if (wide > 0) put([corridorAlong(start, end, wide)]);
+        else this.showAnew();
       }));
     }
     lines.forEach((line, row) => line.forEach((place, n) => {
