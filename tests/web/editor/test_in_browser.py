@@ -257,7 +257,7 @@ def test_what_is_wrong_is_shown_where_it_is_and_a_broken_plan_is_mended(
             "geometry": {"type": "Polygon", "coordinates": [ring]}
         }
         page.get_by_label("JSON", exact=True).fill(json.dumps(mended))
-        page.get_by_role("button", name="Take this JSON").press("Enter")
+        draughtsman.keys("Tab")
         draughtsman.is_checked()
         expect(page.locator("#errors-count")).to_have_text("1 error")
         expect(page.locator("#marks .error")).to_have_count(1)
@@ -267,6 +267,52 @@ def test_what_is_wrong_is_shown_where_it_is_and_a_broken_plan_is_mended(
         expect(page.locator("#errors-count")).to_have_text("0 errors")
         draughtsman.save()
     assert not [each for each in find_site_problems(annex) if each.severity == "error"]
+
+
+@pytest.mark.proof
+def test_typed_json_is_saved_when_it_is_left_and_kept_where_it_cannot_be_read(
+    annex: Path, edit: EditPlan, draughtsman: Draughtsman, complaints: Complaints
+) -> None:
+    page = draughtsman.page
+    features, typed = page.get_by_label("Features"), page.locator("[name=json]")
+
+    def type_instead(old: str, new: str) -> None:
+        typed.fill(typed.input_value().replace(old, new))
+
+    def choose(name: str) -> None:
+        features.focus()
+        features.select_option(name)
+        expect(page.locator("#form h2")).to_contain_text(name)
+
+    with edit(annex) as address, draughtsman.working_at(address):
+        choose("bench")
+        page.get_by_text("As JSON").click()
+        type_instead('"green"', '"red"')
+        draughtsman.keys("Control+s")
+        expect(page.locator("#status")).to_have_text("Saved.")
+        assert feature(annex, "bench")["properties"]["color"] == "red"
+        type_instead('"red"', '"brown"')
+        draughtsman.keys("Control+d")
+        expect(page.locator("#form h2")).to_contain_text("bench_1")
+        type_instead('"brown"', '"blue"')
+        choose("corridor_east")
+        draughtsman.save()
+        assert feature(annex, "bench")["properties"]["color"] == "brown"
+        assert feature(annex, "bench_1")["properties"]["color"] == "blue"
+        choose("bench")
+        type_instead('"brown",', '"brown"')
+        choose("corridor_east")
+        expect(page.locator("#form .wrong")).to_have_text("")
+        draughtsman.keys("Control+s")
+        expect(page.locator("#status")).to_contain_text("Not saved: correct the JSON")
+        expect(page.locator("#form h2")).to_contain_text("bench")
+        expect(page.locator("#form .wrong")).to_contain_text("JSON")
+        assert complaints(page) == []
+        type_instead('"brown"', '"green",')
+        draughtsman.keys("Control+s")
+        expect(page.locator("#status")).to_have_text("Saved.")
+        assert feature(annex, "bench")["properties"]["color"] == "green"
+        expect(page.locator("#form .wrong")).to_have_text("")
 
 
 @pytest.mark.proof

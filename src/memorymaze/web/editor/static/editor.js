@@ -82,16 +82,33 @@ function askWhetherToReplace() {
   if (!at("conflict").open) at("conflict").showModal();
 }
 
+// What is typed but not left yet is part of the plan too.
+function leaveField() {
+  const field = document.activeElement;
+  field.blur();
+  field.focus();
+}
+
+// Return the place of a feature, -1 for the plan itself, whose JSON as it was typed cannot be read.
+function unreadAt() {
+  const { members, features } = plan.state;
+  const found = [members, ...features].findIndex((each) => form.unread.has(each));
+  return found < 0 ? null : found - 1;
+}
+
 async function save() {
   if (replaces) {
     askWhetherToReplace();
     return;
   }
-  // What is typed but not left yet is part of the plan too.
-  const field = document.activeElement;
-  field.blur();
-  field.focus();
+  leaveField();
   const { state } = plan;
+  const place = unreadAt();
+  if (place !== null) {
+    plan.select(place);
+    say("Not saved: correct the JSON first that was typed here.");
+    return;
+  }
   try {
     const { base } = await send("/save", plan.message());
     plan.take(base, state);
@@ -326,8 +343,10 @@ addEventListener("keydown", (event) => {
   const isTyping = event.target.matches("input:not([type=checkbox]), textarea");
   const act = { s: "save", z: event.shiftKey ? "redo" : "undo", y: "redo" }[event.key.toLowerCase()];
   if (act && (act === "save" || !isTyping)) acts[act]();
-  else if (event.key === "d" && plan.feature) plan.duplicate();
-  else return;
+  else if (event.key === "d" && plan.feature) {
+    leaveField();
+    plan.duplicate();
+  } else return;
   event.preventDefault();
 });
 at("features").addEventListener("change", ({ target }) => {
@@ -340,7 +359,7 @@ at("features").addEventListener("keydown", (event) => {
 at("measured").addEventListener("close", () => { if (at("measured").returnValue === "take") scalePicture(); });
 addEventListener("beforeunload", (event) => {
   document.activeElement.blur();
-  if (!plan.isSaved) event.preventDefault();
+  if (!plan.isSaved || unreadAt() !== null) event.preventDefault();
 });
 addEventListener("pagehide", () => {
   if (!plan.isSaved) send("/check", plan.message(), { keepalive: true }).catch(() => {});

@@ -26,18 +26,26 @@ export const made = (name, attributes = {}, ...children) => {
 export class Form {
   constructor(element, forms, plan, propose) {
     Object.assign(this, { element, forms, plan, propose });
+    // What was typed as JSON and cannot be read, and why, by what it is of.
+    this.unread = new Map();
+  }
+
+  // What is shown: a feature, or the members of the plan itself.
+  get chosen() {
+    return this.plan.state.selected < 0 ? this.plan.state.members : this.plan.feature;
   }
 
   show() {
     const { feature, state } = this.plan;
-    const { members, selected, corner } = state;
-    const said = JSON.stringify(selected < 0 ? members : feature, null, 1);
+    const { selected, corner } = state;
+    const said = JSON.stringify(this.chosen, null, 1);
     const shown = JSON.stringify([selected, corner, said]);
     if (shown === this.shown) return;
     const isKept = this.ownChange && this.selected === selected;
     [this.shown, this.selected, this.ownChange] = [shown, selected, false];
     if (isKept) {
       this.element.querySelector("textarea").value = said;
+      this.element.querySelector(".wrong").textContent = "";
       return;
     }
     const focused = this.element.contains(document.activeElement) && document.activeElement.name;
@@ -196,20 +204,27 @@ export class Form {
     return made("fieldset", { className: "places" }, made("legend", {}, "Places (m)"), ...parts);
   }
 
+  // Return the JSON of what is chosen, which is taken when one leaves it, as other fields are.
   json(said, isOpen) {
-    const text = made("textarea", { name: "json", value: said, spellcheck: false });
-    const wrong = made("p", { className: "wrong", role: "alert" });
-    const take = this.button("Take this JSON", () => {
+    const [typed, why] = this.unread.get(this.chosen) ?? [said, ""];
+    const text = made("textarea", { name: "json", value: typed, spellcheck: false });
+    const wrong = made("p", { className: "wrong", role: "alert" }, why);
+    const { selected } = this.plan.state;
+    text.addEventListener("change", () => {
+      if (this.plan.state.selected !== selected) return; // what is chosen now is not what this is of
+      wrong.textContent = "";
+      this.unread.delete(this.chosen);
       try {
         const value = JSON.parse(text.value);
         if (value?.constructor !== Object) throw new Error("Expected an object: { … }");
-        if (this.plan.state.selected < 0) this.plan.change("json", { members: value });
+        if (selected < 0) this.plan.change("json", { members: value });
         else this.plan.replace("json", value);
       } catch (error) {
         wrong.textContent = error.message;
+        this.unread.set(this.chosen, [text.value, error.message]);
       }
     });
-    return made("details", { open: isOpen }, made("summary", {}, "As JSON, with all that is kept"),
-      made("label", {}, made("span", { className: "sr" }, "JSON"), text), wrong, take);
+    return made("details", { open: isOpen || why !== "" }, made("summary", {}, "As JSON, with all that is kept"),
+      made("label", {}, made("span", { className: "sr" }, "JSON"), text), wrong);
   }
 }
