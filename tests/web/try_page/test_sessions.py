@@ -181,6 +181,21 @@ def test_a_closed_page_ends_its_walk_and_frees_the_robot(
     wait_until(visits, third, lambda: third.process is None, looks=False)
 
 
+@pytest.mark.parametrize("again", ["told the way again", "stopped"])
+def test_a_robot_on_another_page_of_a_browser_is_put_away_for_one_that_is_asked_again(
+    visits: Visits, visit: PageVisit, t_site: Site, again: str
+) -> None:
+    other = visits.begin(t_site, t_site.find_route("R1"), "one")
+    assert visit.process is None
+    if again == "stopped":
+        visits.stop(visit)
+    else:
+        assert visits.set_out(visit, TEXT)
+    assert visit.process is not None
+    assert (other.process, other.state) == (None, "away")
+    assert "on another way" in other.trouble
+
+
 def test_a_page_that_is_loaded_anew_keeps_its_robot_and_a_closed_one_does_not(
     visits: Visits, visit: PageVisit, clock: Clock
 ) -> None:

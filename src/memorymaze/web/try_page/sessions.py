@@ -110,9 +110,6 @@ class Visits:
         `NoRobotFree` says that there are too many visitors.
         """
         with self._lock:
-            for other in self._visits.values():
-                if other.browser == browser:
-                    self._put_away(other, "The robot is on another way now.")
             name = secrets.token_urlsafe(12)
             visit = PageVisit(name, browser, site, route, self._clock())
             self._start(visit)
@@ -181,6 +178,9 @@ class Visits:
     # With the lock held.
 
     def _start(self, visit: PageVisit) -> None:
+        for other in self._visits.values():
+            if other.browser == visit.browser:
+                self._put_away(other, "The robot is on another way now.")
         in_use = sum(each.process is not None for each in self._visits.values())
         if in_use >= self._most:
             raise NoRobotFree(
