@@ -1,9 +1,12 @@
+import shutil
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import pytest
 
 Memorymaze = Callable[..., Any]
+TINY_SITES = Path(__file__).parents[2] / "tiny_sites"
 
 
 @pytest.mark.parametrize(
@@ -42,3 +45,14 @@ def test_what_cannot_be_shown_is_refused_before_anybody_comes(
     done = memorymaze("try", *options)
     assert (done.code, done.out) == (2, "")
     assert said in done.err
+
+
+def test_two_plans_of_one_name_are_refused(
+    memorymaze: Memorymaze, tmp_path: Path
+) -> None:
+    one = TINY_SITES / "corridor.geojson"
+    other = shutil.copy(one, tmp_path)
+    done = memorymaze("try", "--site", one, "--site", other)
+    assert (done.code, done.out) == (1, "")
+    assert f"{other}: -: name: expected a name of its own for every plan" in done.err
+    assert f"got 'corridor' as in {one}" in done.err

@@ -74,7 +74,7 @@ def _run(options: argparse.Namespace) -> None:
     from memorymaze.runs.episodes.named_settings import model_settings
     from memorymaze.runs.episodes.settings import AgentSettings
     from memorymaze.world.looks.catalogue import check_looks
-    from memorymaze.world.sites import load_site, load_sites
+    from memorymaze.world.sites import load_site, load_sites, sites_by_name
 
     check_can_serve("the page to try")
     from memorymaze.web.serving.web import THIS_MACHINE, make_app
@@ -87,7 +87,7 @@ def _run(options: argparse.Namespace) -> None:
     sites = (
         load_sites()
         if options.site is None
-        else {site.name: site for site in map(load_site, options.site)}
+        else sites_by_name(map(load_site, options.site))
     )
     settings = one_episode_settings(options)
     if settings.robot is not None:

@@ -11,6 +11,7 @@ from memorymaze.world.sites.loading import (
     load_sites,
     plan_file,
     plan_paths,
+    sites_by_name,
 )
 from memorymaze.world.sites.problems import SiteProblem
 from memorymaze.world.sites.records import (
@@ -46,4 +47,5 @@ __all__ = [
     "load_sites",
     "plan_file",
     "plan_paths",
+    "sites_by_name",
 ]

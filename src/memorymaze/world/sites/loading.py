@@ -2,7 +2,7 @@
 
 import os
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any, cast
@@ -99,17 +99,20 @@ def load_sites(folder: str | Path | None = None) -> dict[str, records.Site]:
     """
     if folder is None:
         return {name: load_site(name) for name in BUILTIN_SITE_NAMES}
-    paths = plan_paths(Path(folder))
-    sites: dict[str, records.Site] = {}
-    for path in paths:
-        site = load_site(path)
-        if site.name in sites:
+    return sites_by_name(map(load_site, plan_paths(Path(folder))))
+
+
+def sites_by_name(sites: Iterable[records.Site]) -> dict[str, records.Site]:
+    """Return sites by name; SitePlanError says that two have the same."""
+    named: dict[str, records.Site] = {}
+    for site in sites:
+        if site.name in named:
             raise SitePlanError(
-                f"{path}: -: name: expected a name of its own for every plan in the "
-                f"folder, got {site.name!r} as in {sites[site.name].source}; change one"
+                f"{site.source}: -: name: expected a name of its own for every plan, "
+                f"got {site.name!r} as in {named[site.name].source}; change one"
             )
-        sites[site.name] = site
-    return sites
+        named[site.name] = site
+    return named
 
 
 def plan_paths(folder: Path) -> list[Path]:
