@@ -1,3 +1,4 @@
+import json
 import shutil
 from collections.abc import Callable
 from pathlib import Path
@@ -56,3 +57,15 @@ def test_two_plans_of_one_name_are_refused(
     assert (done.code, done.out) == (1, "")
     assert f"{other}: -: name: expected a name of its own for every plan" in done.err
     assert f"got 'corridor' as in {one}" in done.err
+
+
+def test_a_plan_without_a_way_to_tell_is_refused(
+    memorymaze: Memorymaze, tmp_path: Path
+) -> None:
+    plan = json.loads((TINY_SITES / "corridor.geojson").read_text(encoding="utf-8"))
+    kept = [each for each in plan["features"] if each["properties"]["kind"] != "route"]
+    path = tmp_path / "corridor.geojson"
+    path.write_text(json.dumps(plan | {"features": kept}), encoding="utf-8")
+    done = memorymaze("try", "--site", path)
+    assert (done.code, done.out) == (2, "")
+    assert f"expected a plan with a reference route, got none in {path}" in done.err

@@ -78,7 +78,7 @@ def _run(options: argparse.Namespace) -> None:
 
     check_can_serve("the page to try")
     from memorymaze.web.serving.web import THIS_MACHINE, make_app
-    from memorymaze.web.try_page.pages import TRYING_ROOM, TryPages
+    from memorymaze.web.try_page.pages import TRYING_ROOM, TryPages, ways_of
     from memorymaze.web.try_page.sessions import Visits
     from memorymaze.web.try_page.walk import GUIDE
 
@@ -89,6 +89,12 @@ def _run(options: argparse.Namespace) -> None:
         if options.site is None
         else sites_by_name(map(load_site, options.site))
     )
+    for site in sites.values():
+        if not ways_of(site):
+            raise SettingsError(
+                f"--site: expected a plan with a reference route, got none in {site.source}; "
+                "draw one with memorymaze sites edit"
+            )
     settings = one_episode_settings(options)
     if settings.robot is not None:
         raise SettingsError(
