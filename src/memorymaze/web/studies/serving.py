@@ -88,12 +88,18 @@ def serving_study(
             texts = texts_to_follow(store.study)
             drives = stack.enter_context(Drives(store, texts, draws=draws))
         pages = make_app(ParticipantPages(store, films, drives).routes, *ROOMS)
-        with serving(
-            ServedApplication(pages, host, port, certificate),
-            ServedApplication(
-                make_app(behind, *ROOMS, hosts=THIS_MACHINE), port=experimenter_port
-            ),
-        ) as [participants, experimenter]:
+        with (
+            serving(
+                ServedApplication(pages, host, port, certificate),
+                ServedApplication(
+                    make_app(behind, *ROOMS, hosts=THIS_MACHINE), port=experimenter_port
+                ),
+            ) as [participants, experimenter],
+            ExitStack() as first,
+        ):
+            if drives is not None:
+                # Else the server would wait for those who wait for a robot.
+                first.push(drives)
             if films is not None:
                 stack.enter_context(films.being_made())
             yield Addresses(participants, f"{experimenter}/enter/{token}")

@@ -3,6 +3,8 @@
 import json
 import shutil
 from collections.abc import Callable, Generator
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import ExitStack
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +14,7 @@ from memorymaze.basics.errors import SettingsError, StudyError
 from memorymaze.front.cli.main import run_command_line
 from memorymaze.runs.story import load_episode
 from memorymaze.runs.work.run_folder import read_instructions, read_run
+from memorymaze.web.serving.live_process import ProcessLost
 from memorymaze.web.studies.follow.drives import (
     STILL_THERE,
     Drives,
@@ -21,7 +24,7 @@ from memorymaze.web.studies.follow.drives import (
 )
 from memorymaze.web.studies.follow.runs import export_walks
 from memorymaze.web.studies.follow.texts import texts_to_follow
-from memorymaze.web.studies.follow.walk import Said
+from memorymaze.web.studies.follow.walk import Said, SeenOnWalk
 from memorymaze.web.studies.schedule import StudyStep
 from memorymaze.web.studies.store import Participant, Store, open_store
 from memorymaze.web.studies.study_file import Study
@@ -213,6 +216,42 @@ def test_walks_that_nobody_ended_are_not_exported_and_withdrawal_removes_them(
     store.withdraw(other.id)
     with pytest.raises(StudyError, match="expected walks that were ended"):
         export_walks(study, store, tmp_path / "again")
+
+
+class StandsStill:
+    """A process whose robot is told what to do and never does it."""
+
+    def __init__(self, work: object, hear: Callable[[object], None]) -> None:
+        self._hear = hear
+        hear(SeenOnWalk(0, (), 0.0, (0.0, 0.0), ""))
+
+    def tell(self, message: object) -> None:
+        pass
+
+    def end(self) -> None:
+        self._hear(ProcessLost("The robot was put away."))
+
+
+def test_a_study_ends_without_a_complaint_while_somebody_waits_for_a_robot(
+    study: Study,
+    serve_study: Callable[[Study], Any],
+    monkeypatch: pytest.MonkeyPatch,
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    monkeypatch.setattr("memorymaze.web.studies.follow.drives.LiveProcess", StandsStill)
+    with ThreadPoolExecutor() as elsewhere:
+        with ExitStack() as after, serve_study(study) as served:
+            visitor = served.browse()
+            after.enter_context(served.visits.pop_all())  # still there when it ends
+            visitor.consent()
+            answer = elsewhere.submit(
+                visitor.post, f"/robot/{STEP}", number="0", command="forward"
+            )
+            [who] = served.store.participants()
+            while not commands_of(served.store, who.id, STEP):
+                assert not answer.done()
+        assert answer.result().status_code == 503
+    assert not caplog.records
 
 
 def test_a_study_without_texts_of_a_route_is_refused(
