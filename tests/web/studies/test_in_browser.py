@@ -101,7 +101,7 @@ def consent(reader: Reader, address: str) -> None:
 def reach_first_way(reader: Reader, address: str) -> None:
     consent(reader, address)
     reader.choose("Draw a map", "Somebody who works in")
-    assert reader.page.evaluate("document.activeElement.role") == "alert"
+    reader.until("document.activeElement.role === 'alert'")
     reader.choose("Describe a way", "Somebody who has never been in")
     reader.choose("I have never been there")
     reader.choose()
