@@ -18,7 +18,7 @@ from pydantic import BaseModel, Field, FiniteFloat, TypeAdapter
 
 from memorymaze.basics.errors import InstructionFileError
 from memorymaze.basics.geometry.polyline import length, point_at, points_at, project
-from memorymaze.basics.geometry.pose import Pose, bearing_to, wrap_angle
+from memorymaze.basics.geometry.pose import Pose, bearing_to, moved, wrap_angle
 from memorymaze.texts.corpus.record_format import instruction_record
 from memorymaze.texts.corpus.records import Instruction
 from memorymaze.texts.exchange.foreign_files import (
@@ -326,11 +326,7 @@ class LineFollower:
     def after(self, pose: Pose, turns: int) -> Pose:
         """Return where turns and a step lead."""
         heading = wrap_angle(pose.heading + turns * self._turn)
-        return Pose(
-            pose.x + STEP * math.cos(heading),
-            pose.y + STEP * math.sin(heading),
-            heading,
-        )
+        return Pose(*moved((pose.x, pose.y), heading, STEP), heading)
 
 
 def walk_along(line: ArrayLike, start: Pose, *, turn: float = TURN) -> DiscreteWalk:
