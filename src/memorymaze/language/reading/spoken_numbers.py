@@ -23,9 +23,9 @@ _BY_PAIRS = re.compile(
     rf"\b(?P<first>{_pair})[ -](?P<second>{_pair}|(?:oh|zero)[ -](?:{_one}))\b"
 )
 """`Twenty-three forty-seven`, `eleven oh eight`: the number of a room."""
-_below_hundred = rf"(?:(?:{_tens})(?:[- ](?:{_one}))?|{'|'.join(ONES)}|\d{{1,2}})"
+_below_hundred = rf"(?:{_pair}|{_one}|\d{{1,2}})"
 _HUNDREDS = re.compile(
-    rf"\b(?:(?P<many>an?|{'|'.join(ONES)}|\d) )?hundred(?:(?: and)? (?P<rest>{_below_hundred}))?\b"
+    rf"\b(?:(?P<many>an?|{_teen}|{_one}|\d) )?hundred(?:(?: and)? (?P<rest>{_below_hundred}))?\b"
 )
 _HALVES = re.compile(rf"\b(?P<whole>{_below_hundred}) and a half\b")
 _THOUSANDS = re.compile(r"(?<![\d.,])(\d{1,3}),(\d{3})(?![\d.,]*\d)")
